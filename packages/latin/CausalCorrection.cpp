@@ -26,6 +26,8 @@ constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
 // A Gauss-Newton step that leaves more than this share of the residual is not worth its local stages.
 constexpr double worthwhile = 0.999;
+// Growth of a residual that is round-off.
+constexpr double unnoticed = 1e-9;
 // Times the residual that the tangent predicts, from which on it is found anew.
 constexpr double misprediction = 2.0;
 // Of the residual that is gone for: errors of single precision that hardly change anything.
@@ -131,7 +133,27 @@ void CausalCorrection::reduce(int step) {
   fixedPoint_.pointwiseStage().accept();
 }
 
-void CausalCorrection::sweep(int first) {
+void CausalCorrection::settleFaintMotions(int step) {
+  double& residual = targets_[step].residual;
+  residual = evaluate(step);
+  if (steps_[step].hasFaintMotions()) {
+    const int rows = alpha_->numRows();
+    double* state = (*alpha_)[step];
+    const std::vector<double> alpha(state, state + rows), beta(beta_[step], beta_[step] + rows);
+    steps_[step].moveAlongFaint(residual_[step], state, beta_[step]);
+    const double reached = evaluate(step);
+    if (reached <= residual * (1.0 + unnoticed)) {
+      residual = reached;
+    } else {
+      std::copy_n(alpha.begin(), rows, state);
+      std::copy_n(beta.begin(), rows, beta_[step]);
+      evaluate(step);
+    }
+  }
+  fixedPoint_.pointwiseStage().accept();
+}
+
+void CausalCorrection::sweep(int first, void (CausalCorrection::*treat)(int step)) {
   PointwiseLocalStage& local = fixedPoint_.pointwiseStage();
   if (first < first_) {
     local.startUnloaded();
@@ -146,7 +168,7 @@ void CausalCorrection::sweep(int first) {
     local.startFromHere();
     local.begin();
   }
-  for (int t = first; t < end_; ++t) reduce(t);
+  for (int t = first; t < end_; ++t) (this->*treat)(t);
 }
 
 std::vector<int> CausalCorrection::unfinished() {
@@ -304,17 +326,21 @@ void CausalCorrection::letGo() {
 }
 
 void CausalCorrection::approachTogether(int stages) {
-  sweep(begin_);
+  sweep(begin_, &CausalCorrection::reduce);
   const int first = fixedPoint_.linearStage().stages();
   std::vector<double> residuals{targets_.largestResidual(begin_, end_)};  // after every linear stage
   for (std::vector<int> left = unfinished(); !left.empty(); left = unfinished()) {
     if (fixedPoint_.linearStage().stages() - first >= stages || !(extend(foremost(left)) || extend(left))) break;
-    sweep(left.front());
+    sweep(left.front(), &CausalCorrection::reduce);
     residuals.push_back(targets_.largestResidual(begin_, end_));
     const bool mayWait =
         alpha_->numCols() <= stepsAtOnce && std::any_of(left.begin(), left.end(), [this](int t) { return isAbove(t); });
     const std::size_t wait = mayWait ? patience : lessPatience;
     if (residuals.size() > wait && residuals.back() > slow * residuals[residuals.size() - 1 - wait]) break;
+  }
+  if (std::any_of(steps_.begin() + begin_, steps_.begin() + end_,
+                  [](const StepSpace& step) { return step.hasFaintMotions(); })) {
+    sweep(begin_, &CausalCorrection::settleFaintMotions);
   }
 }
 
@@ -366,6 +392,7 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     }
   }
   result.hidden = hidden();
+  for (const StepSpace& step : steps_) result.lostBody = std::max(result.lostBody, step.lostBody());
   result.shares = targets_.sharesLeft(noise_);
   result.reduction = targets_.reduction(noise_);
   if (!(result.reduction <= 1.0)) {

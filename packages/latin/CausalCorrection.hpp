@@ -41,6 +41,8 @@ class CausalCorrection {
     /// What the residual can hide: largest |R_t| / (s_t d), s_t the smallest singular value of I - J in the space of
     /// the step, d the longest way that a step was moved. Slow modes are all but absent from the residual.
     double hidden = 0.0;
+    /// A body of which it cannot be told how it has moved, StepSpace::lostBody(); -1: there is none.
+    int lostBody = -1;
     /// That of the corrected state, valid as FixedPoint::apply() says; null where none was found.
     const Iterate* iterate = nullptr;
   };
@@ -75,9 +77,11 @@ class CausalCorrection {
   void reduce(int step);
   /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.
   bool takeStep(int step, const CorrectionSpace::LeastSquares& direction);
-  /// The residuals of the load steps at hand from `first` on in turn, as small as their spaces allow; the steps before
-  /// have come to their end.
-  void sweep(int first);
+  /// Moves a load step along motions that its space cannot hold, unless its residual grows:
+  /// StepSpace::moveAlongFaint().
+  void settleFaintMotions(int step);
+  /// What `treat` makes of the load steps at hand from `first` on in turn; the steps before have come to their end.
+  void sweep(int first, void (CausalCorrection::*treat)(int step));
   /// Those of the load steps at hand that have not come to their end.
   std::vector<int> unfinished();
   /// Whether a load step has not come to its target.

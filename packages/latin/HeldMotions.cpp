@@ -25,6 +25,18 @@ void addSpring(base::Matrix& stiffness, double spring, const base::Vector3& r, c
   }
 }
 
+/// The same of a symmetric matrix of springs.
+void addSprings(base::Matrix& stiffness, const base::Tensor3& springs, const base::Vector3& r) {
+  base::Matrix axes(3, 3);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) axes(row, column) = springs[row][column];
+  }
+  const std::vector<double> values = symmetricEigen(axes);
+  for (int j = 0; j < 3; ++j) {
+    if (values[j] > 0.0) addSpring(stiffness, values[j], r, {axes(0, j), axes(1, j), axes(2, j)});
+  }
+}
+
 base::Vector3 unit(std::size_t component) {
   base::Vector3 axis{};
   axis[component] = 1.0;
@@ -73,6 +85,7 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
   std::vector<base::Matrix> ofBoundaries(bodies_.size());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b].stiffness.shape(motions, motions);
+    bodies_[b].springs.shape(motions, motions);
     ofBoundaries[b].shape(motions, motions);
     bodies_[b].isHeld = !eliminated.nodes(static_cast<int>(b)).empty() ||
                         std::any_of(resisted[b].begin(), resisted[b].end(), [](bool one) { return one; });
@@ -92,17 +105,15 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
         const EliminatedBoundaries::Node& node =
             eliminated.nodes(static_cast<int>(b))[eliminated.nodeOf(static_cast<int>(i), p)];
         // Springs and rigid directions of a node that several boundaries touch count once each, which is enough here.
-        base::Matrix spring(3, 3);
-        for (int row = 0; row < 3; ++row) {
-          for (int column = 0; column < 3; ++column) {
+        base::Tensor3 all{};
+        for (std::size_t row = 0; row < 3; ++row) {
+          for (std::size_t column = 0; column < 3; ++column) {
             const double held = (row == column ? 1.0 : 0.0) - node.free[row][column];
-            spring(row, column) = node.springs[row][column] + rigid * k * held;
+            all[row][column] = node.springs[row][column] + rigid * k * held;
           }
         }
-        const std::vector<double> values = symmetricEigen(spring);
-        for (int j = 0; j < 3; ++j) {
-          addSpring(ofBoundaries[b], std::max(0.0, values[j]), r, {spring(0, j), spring(1, j), spring(2, j)});
-        }
+        addSprings(ofBoundaries[b], all, r);
+        addSprings(bodies_[b].springs, node.springs, r);
       }
     }
   }
@@ -121,6 +132,7 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
       }
     };
     scale(body.stiffness);
+    scale(body.springs);
     scale(ofBoundaries[b]);
     base::Matrix whole(body.stiffness);
     whole += ofBoundaries[b];
@@ -178,6 +190,33 @@ double HeldMotions::heldShare(int body, const Sixfold& motion) const {
   }
   const double size = dot(v, v);
   return size > 0.0 ? std::sqrt(dot(held, held) / size) : 0.0;
+}
+
+base::Matrix HeldMotions::squaredResistance(int body) const {
+  const Body& one = bodies_[body];
+  base::Matrix result;
+  if (one.springs.normFrobenius() == 0.0) return result;
+  base::Matrix modes(one.stiffness);
+  const std::vector<double> values = symmetricEigen(modes);
+  const auto apply = [](const base::Matrix& a, const base::Matrix& x, Teuchos::ETransp transposed) {
+    base::Matrix y(motions, motions);
+    y.multiply(transposed, Teuchos::NO_TRANS, 1.0, a, x, 0.0);
+    return y;
+  };
+  base::Matrix answers = apply(modes, one.springs, Teuchos::TRANS);
+  for (int i = 0; i < motions; ++i) {
+    const double inverse = values[i] > none * values.back() ? 1.0 / values[i] : 0.0;
+    for (int j = 0; j < motions; ++j) answers(i, j) *= inverse;
+  }
+  answers = apply(modes, answers, Teuchos::NO_TRANS);
+  base::Matrix ofOthers(one.stiffness);
+  ofOthers -= one.springs;
+  result.shape(motions, motions);
+  result.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 4.0, answers, apply(ofOthers, answers, Teuchos::NO_TRANS), 0.0);
+  for (int i = 0; i < motions; ++i) {
+    for (int j = 0; j < motions; ++j) result(i, j) *= (i < 3 ? 1.0 : one.extent) * (j < 3 ? 1.0 : one.extent);
+  }
+  return result;
 }
 
 }  // namespace harmos::latin

@@ -33,13 +33,18 @@ class HeldMotions {
   Sixfold freeMotion(int body, const Sixfold& motion) const;
   /// Share of a motion that is held, |v - V V^T G v| / |v|, rotations in units of the extent.
   double heldShare(int body, const Sixfold& motion) const;
+  /// E, 6 x 6, or empty where it is zero: in the metric of states, what springs of boundaries, S of G, make I - J
+  /// resist a motion v by is v^T E v. The body answers alpha = k v with G^-1 (G - S) v, so that beta = -k v + 2 k G^-1
+  /// S v and E = 4 S G^-1 (G - S) G^-1 S. What the macro problem makes of it, up to as much again, is left out.
+  base::Matrix squaredResistance(int body) const;
 
  private:
   struct Body {
     base::Vector3 centre{};
     double extent = 0.0;
     bool isHeld = false;     // any motion is
-    base::Matrix stiffness;  // G
+    base::Matrix stiffness;  // G, rotations in units of the extent
+    base::Matrix springs;    // S, its share of springs of boundaries
     base::Matrix free;       // V
   };
   std::vector<Body> bodies_;

@@ -104,6 +104,12 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const bool mayMatter = RoundOff(fixedPoint_, responses_).mayMatter(iterate, options_.accuracy);
   const Certificate::Result attempt = certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + stageLimit());
   if (attempt.conclusive) estimates_ = attempt.estimates;
+  if (attempt.lostBody >= 0) {
+    stagesOfCertificates_ += stages() - before;
+    result.outcome = Outcome::roundOff;
+    result.reason = describeLostBody(assembly_.bodies[attempt.lostBody].partName());
+    return true;
+  }
   // Where a claim fails although errors are known, or laws have no kinks, round-off may be why: once is enough.
   const bool isSuspected = attempt.conclusive || fixedPoint_.assembly().isAffine();
   const bool mustKnow = mayMatter && (attempt.claimed || (isSuspected && !knowsRoundOff_));
@@ -258,7 +264,8 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
   March::End end = March::End::reached;
   bool isOver = false;
   int inVain = 0;
-  int recentrings = options_.recentres && fixedPoint_.canRecentre() ? maximumRecentrings : 0;
+  const bool recentres = options_.recentres && fixedPoint_.canRecentre();
+  int recentrings = recentres ? maximumRecentrings : 0;
   bool isOfMotions = true;  // round-off, until the motions were left out once for it
   do {
     const auto running = timers_.start("acceleration");
@@ -289,7 +296,7 @@ void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restar
       result.reason = describeFarMotions(ofMotions / forces);
       break;
     }
-    if (result.outcome == Outcome::roundOff && recentrings > 0 && isOfMotions) {
+    if (result.outcome == Outcome::roundOff && recentres && isOfMotions) {
       // Much of it was that of motions, perhaps of such as were known too roughly when they were left out.
       isOfMotions = false;
       recentrings = 1;

@@ -36,7 +36,10 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
   }
   // Nothing has moved yet: anything small will do.
   if (jump == 0.0) jump = length;
-  const double difference = std::clamp(differenceOfForces * traction, leastDifference * jump, largestDifference * jump);
+  // What is affine has the same tangent everywhere, and the larger the difference, the more digits.
+  const double difference = interface.law->isAffine() ? std::max(jump, traction)
+                                                      : std::clamp(differenceOfForces * traction,
+                                                                   leastDifference * jump, largestDifference * jump);
   std::vector<base::Frame>& tangents = tangents_[interfaceIndex];
   tangents.assign(pairs, {});
   std::vector<laws::LocalLine> shifted(lines);

@@ -8,8 +8,11 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/latin/CausalCorrection.hpp>
+#include <harmos/latin/InterfaceLines.hpp>
+#include <harmos/latin/PairTangents.hpp>
 #include <harmos/latin/Snapshot.hpp>
 #include <harmos/latin/detail/LargestOf.hpp>
+#include <harmos/latin/detail/SoftMotions.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -21,7 +24,7 @@ constexpr unsigned draws = 3;
 constexpr double safety = 2.0;
 // Loads may move a part where it is softer than random forces in balance do.
 constexpr double safetyOfSolutions = 4.0;
-// What a correction may add to what the first linear stage shows.
+// What a correction may add to what the first linear stage shows, unless a motion of the parts is resisted by less.
 constexpr double afterOneStage = 30.0;
 // Of the accuracy: less is not worth a correction.
 constexpr double negligible = 0.1;
@@ -39,6 +42,26 @@ struct Restore {
   FixedPoint& fixedPoint;
   ~Restore() { fixedPoint.unperturb(); }
 };
+
+/// How many times what one linear stage shows of a change a correction may come to. Collective.
+double stillToCome(FixedPoint& fixedPoint, const Iterate& iterate) {
+  const SoftMotions motions(fixedPoint);
+  InterfaceLines lines(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout());
+  PairTangents tangents(fixedPoint.assembly(), lines);
+  PointwiseLocalStage& local = fixedPoint.pointwiseStage();
+  std::vector<double> traction(static_cast<std::size_t>(iterate.beta().numRows()));
+  double resistance = 1.0 / afterOneStage;
+  local.begin();
+  for (int t = 0; t < iterate.beta().numCols(); ++t) {
+    local.solveColumn(t, iterate.beta(), traction.data());
+    local.differentiateColumn(t, tangents);
+    for (const SoftMotions::Motion& motion : motions.find(tangents, resistance)) {
+      resistance = std::min(resistance, motion.resistance);
+    }
+    local.accept();
+  }
+  return 1.0 / resistance;
+}
 
 }  // namespace
 
@@ -73,6 +96,7 @@ bool RoundOff::mayMatter(const Iterate& iterate, double accuracy) const {
 
 RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix& alpha, double accuracy) {
   const Snapshot before(iterate, responses_);
+  const double more = fixedPoint_.canRecentre() ? stillToCome(fixedPoint_, iterate) : afterOneStage;
   Estimate result;
   base::Matrix image(alpha.numRows(), alpha.numCols());
   for (unsigned draw = 0; draw < draws; ++draw) {
@@ -87,12 +111,14 @@ RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix
     const Iterate* moved = &fixedPoint_.apply(alpha, image);
     std::vector<double> errors = before.distance(Snapshot(*moved, responses_));
     double factor = safety / enlargement;
-    const bool isEnough = largest(errors) * factor * afterOneStage <= negligible * accuracy;
+    const bool isEnough = largest(errors) * factor * more <= negligible * accuracy;
     if (isEnough) {
-      factor *= afterOneStage;
+      factor *= more;
     } else if (fixedPoint_.canRecentre()) {
       base::Matrix state(alpha);
-      CausalCorrection(fixedPoint_).correct(*moved, state, image, {target}, maximumStages);
+      CausalCorrection::Goal goal{target};
+      goal.isLater = true;
+      CausalCorrection(fixedPoint_).correct(*moved, state, image, goal, maximumStages);
       errors = before.distance(Snapshot(fixedPoint_.apply(state, image), responses_));
     }
     result.errors.resize(errors.size(), 0.0);
@@ -114,6 +140,13 @@ std::string describeFarMotions(double error) {
        << error << " of the largest; ask for an accuracy of " << error / shareOfRoundOff
        << " or more, or let gaps and ways be smaller";
   return text.str();
+}
+
+std::string describeLostBody(const std::string& part) {
+  return "double precision does not tell how part \"" + part +
+         "\" moves: nothing resists one of its motions but springs of boundaries that are more than a million times "
+         "softer than what the part presses against; make them stiffer, or hold that motion (\"Prescribed "
+         "Displacement\", \"Symmetry\")";
 }
 
 std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::string>& names,

@@ -1,7 +1,9 @@
 #include <harmos/latin/detail/StepSpace.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include <harmos/latin/detail/SelfStresses.hpp>
 
@@ -10,6 +12,10 @@ namespace {
 
 // Resistance of motions of the parts that a space is to hold. Others are found soon enough by residuals.
 constexpr double soft = 0.02;
+// Resistance that images in single precision do not tell from nothing.
+constexpr double faintest = 1e-6;
+// That which least squares leave out.
+constexpr double lost = 2e-7;
 // Of the square of a motion: what a space that holds it may lack.
 constexpr double lacking = 0.1;
 
@@ -28,6 +34,7 @@ void StepSpace::close() {
   closed_ = softest();
   tangent_.reset();
   soft_.clear();
+  faint_.clear();
   isStale_ = true;
 }
 
@@ -39,9 +46,47 @@ bool StepSpace::holds(const SoftMotions::Motion& motion) const {
 void StepSpace::differentiate(int step) {
   tangent_->differentiate(step, fixedPoint_.pointwiseStage());
   isStale_ = false;
-  soft_ = softMotions_.find(tangent_->tangents(), soft);
-  soft_.erase(std::remove_if(soft_.begin(), soft_.end(), [this](const auto& motion) { return holds(motion); }),
-              soft_.end());
+  soft_.clear();
+  faint_.clear();
+  lost_ = -1;
+  for (SoftMotions::Motion& motion : softMotions_.find(tangent_->tangents(), soft)) {
+    if (motion.resistance < faintest && softMotions_.isLeftToLaws(motion)) {
+      faint_.push_back(faint(motion));
+    } else if (motion.resistance < lost) {
+      lost_ = softMotions_.mostMoved(motion);
+    } else if (!holds(motion)) {
+      soft_.push_back(std::move(motion));
+    }
+  }
+}
+
+StepSpace::Faint StepSpace::faint(const SoftMotions::Motion& motion) const {
+  Faint result;
+  result.state = softMotions_.state(motion);
+  const int rows = space().rows();
+  base::Matrix state(rows, 1), answer(rows, 1);
+  std::copy(result.state.begin(), result.state.end(), state[0]);
+  tangent_->tangents().apply(state, answer);
+  const double factor = 2.0 / (motion.resistance * motion.resistance);
+  std::transform(answer[0], answer[0] + rows, std::back_inserter(result.change), [=](double x) { return factor * x; });
+  return result;
+}
+
+void StepSpace::moveAlongFaint(const double* residual, double* alpha, double* beta) const {
+  const std::vector<double>& scale = fixedPoint_.metric().scale();
+  std::vector<double> ways(faint_.size(), 0.0);
+  for (std::size_t i = 0; i < faint_.size(); ++i) {
+    for (std::size_t row = 0; row < scale.size(); ++row) {
+      ways[i] += scale[row] * scale[row] * faint_[i].change[row] * residual[row];
+    }
+  }
+  fixedPoint_.metric().sum(ways);
+  for (std::size_t i = 0; i < faint_.size(); ++i) {
+    for (std::size_t row = 0; row < scale.size(); ++row) {
+      alpha[row] += ways[i] * faint_[i].state[row];
+      beta[row] -= ways[i] * faint_[i].state[row];
+    }
+  }
 }
 
 std::optional<std::vector<double>> StepSpace::nextMotion() {

@@ -85,6 +85,26 @@ TEST_P(ThinPlates, BendOneElementThick) {
 INSTANTIATE_TEST_SUITE_P(Friction, ThinPlates, testing::Values("0", "0.2", "2"),
                          [](const auto& test) { return "Case" + std::to_string(test.index); });
 
+// Residuals hardly tell where the upper block is beside its way down.
+TEST(SoftFoundation, HoldsABlockOnASmoothContact) {
+  for (const double accuracy : {1e-3, 1e-5}) {
+    SCOPED_TRACE(accuracy);
+    solveSurely(SceneInput::fromFile("contact_on_foundation.xml"), accuracy);
+  }
+}
+
+// What the springs make of the way of the block is less than round-off.
+TEST(SoftFoundation, IsRefusedWhereItsSpringsAreLost) {
+  SceneInput scene = SceneInput::fromFile("contact_on_foundation.xml");
+  for (const std::string which : {"Normal", "Tangential"}) {
+    scene.set("Boundaries/beside the upper one/Law/" + which + " Stiffness=1e-12");
+  }
+  const SolvedRun run(scene);
+  EXPECT_FALSE(run.isCertified());
+  EXPECT_NE(run.result().reason.find("does not tell how part \"upper\" moves"), std::string::npos)
+      << run.result().reason;
+}
+
 // The volume hardly changes; without B-bar the elements lock, which is hard for any k: it may remain uncertified.
 TEST(NearlyIncompressible, BlocksAreSolved) {
   const auto blocks = [](const std::string& formulation, const std::string& ratio) {

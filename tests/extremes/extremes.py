@@ -23,6 +23,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
+from bars import bars
 from column import FRICTION, column, xml
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
@@ -104,6 +105,7 @@ def cases():
     for ratio in (1e-12, 1e-9, 1e-6, 1e6, 1e9, 1e12):
         yield Case("stiffness", f"springs {ratio:g} times as stiff as the blocks", column(springs(1000.0 * ratio)),
                    pressed(extra=1 / (1000 * ratio)), "either" if ratio < 1e-6 else "right")
+    yield from _soft_joints()
     for nu in (0.0, 0.49, 0.499, 0.4999, 0.49999):
         yield Case("material", f"Poisson's ratio {nu:g}", column(poisson=nu), pressed())
     for ratio in (100.0, 1000.0):
@@ -181,6 +183,21 @@ def _with_history(scene, axis, values):
     scene["Histories"] = {"way": {"Type": "Table", "Times": list(range(len(values))), "Values": values}}
     scene["Steps"] = {f"s{i}": {} for i in range(1, len(values))}
     return scene
+
+
+def _soft_joints():
+    """Bars on joints so soft that round-off in their forces may move them across."""
+    hard, soft = 1e7, 1e5
+    for accuracy in (1e-2, 1e-3, 1e-4, 1e-6):
+        scene = bars([60, 2], 1.0, [(soft, 0.45), (hard, 0.45), (soft, 0.45), (hard, 0.3), (soft, 0.45)],
+                     [(1e5, 1e2), (1e-1, 1e-4), (1e5, 1e2), (1e8, 1e8)], -7e4, [4, 4, 1, 1, 2], accuracy)
+        yield Case("soft joints", f"to 1e11 times as soft as plane bars, accuracy {accuracy:g}", scene,
+                   {"across": 0.0, "force": 1.4e5}, "either" if accuracy < 1e-3 else "right")
+    for accuracy in (1e-3, 1e-7):
+        scene = bars([24, 3, 3], 1.0, [(1.0, 0.49), (100.0, 0.49), (1.0, 0.49), (100.0, 0.3), (1.0, 0.3)],
+                     [(1.0, 0.4), (1e-3, 4e-4), (1e-6, 1e-6), (1e-3, 1e-6)], 1e-6, [1, 1, 1, 1, 4], accuracy)
+        yield Case("soft joints", f"to 1e8 times as soft as bars in space, accuracy {accuracy:g}", scene,
+                   {"across": 0.0, "force": -9e-6})
 
 
 def _damage():

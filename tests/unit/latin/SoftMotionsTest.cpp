@@ -90,6 +90,43 @@ TEST(SoftMotions, AreResistedAsSpringsSay) {
   EXPECT_GE(motions.back().resistance, 0.999999 * translation);
 }
 
+// Far below what squares of resistances in double precision hold beside those of other motions.
+TEST(SoftMotions, AreResistedByAsMuchLessAsSpringsAreSofter) {
+  Mechanism cubes(twoCubes(springs(2e-4, 5e-5), load));
+  for (const double softer : {1e-3, 1e-6}) {
+    SCOPED_TRACE(softer);
+    Mechanism soft(twoCubes(springs(2e-4 * softer, 5e-5 * softer), load));
+    const auto motions = cubes.find(0.5), softMotions = soft.find(0.5);
+    ASSERT_EQ(motions.size(), 6U);
+    ASSERT_EQ(softMotions.size(), 6U);
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      // Springs of stiffness s answer with s / (1 + 2 s / k).
+      EXPECT_NEAR(softMotions[i].resistance, softer * motions[i].resistance, 1e-3 * softMotions[i].resistance);
+      EXPECT_TRUE(SoftMotions(soft.fixedPoint).isLeftToLaws(softMotions[i]));
+    }
+  }
+}
+
+// A foundation that is eliminated holds what the springs of the joint leave. The macro problem passes its force on to the
+// other side of the joint, of which the resistance of motions knows nothing: there is as much again at most.
+TEST(SoftMotions, AreResistedByFoundations) {
+  const std::array<int, 3> cells{2, 2, 2};
+  BoxAssembly blocks({{"a", {0, 0, 0}, {1, 1, 1}, cells}, {"b", {0, 0, 1}, {1, 1, 2}, cells}});
+  blocks.hold("under", "a_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+  blocks.hold("beside", "b_xmin",
+              laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 1e-3}, {"Tangential Stiffness", 2e-3}}));
+  blocks.join("ab", "a_zmax", "b_zmin", springs(1e4, 0.0));
+  blocks.hold("above", "b_zmax", load);
+  Mechanism slider(std::move(blocks));
+  const auto motions = slider.find(0.1);
+  ASSERT_EQ(motions.size(), 3U);
+  for (const auto& motion : motions) {
+    EXPECT_GE(slider.resistance(motion), 0.99 * motion.resistance);
+    EXPECT_LE(slider.resistance(motion), 2.5 * motion.resistance);
+    EXPECT_FALSE(SoftMotions(slider.fixedPoint).isLeftToLaws(motion));
+  }
+}
+
 // What is joined perfectly is one body, also where it is only a piece of it that springs hold.
 TEST(SoftMotions, KeepWhatIsJoinedPerfectlyTogether) {
   const std::array<int, 3> cells{1, 1, 1};
