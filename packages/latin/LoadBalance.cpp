@@ -8,9 +8,11 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/latin/PrescribedForces.hpp>
+#include <harmos/latin/detail/CoupledFaces.hpp>
 #include <harmos/latin/detail/LikeLoads.hpp>
 #include <harmos/latin/detail/RigidParts.hpp>
 #include <harmos/latin/detail/TighteningForces.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/statics/Balance.hpp>
 #include <harmos/statics/MotionText.hpp>
 
@@ -29,15 +31,42 @@ constexpr double uncarried = 0.1;
 constexpr double takesPart = 1e-3;
 constexpr double opening = 1e-6;
 
+double wayOf(const statics::RigidBody& body, const statics::Motion& motion) {
+  return std::max(base::norm(motion.translation), body.size * base::norm(motion.rotation));
+}
+
+/// The laws over whole faces that do not keep their bodies from a motion: one to the ground lets a body move, another
+/// one two bodies against each other.
+std::vector<std::string> namesLeavingFree(const assembly::Assembly& assembly, const statics::RigidAssembly& rigid,
+                                          const std::vector<statics::Motion>& motions) {
+  std::vector<std::string> names;
+  for (const statics::Coupling& coupling : rigid.couplings) {
+    const assembly::Interface& interface = assembly.interfaces[coupling.interface];
+    const bool isToGround = dynamic_cast<const laws::FaceLaw&>(*interface.law).onOtherFace() == nullptr;
+    const int first = coupling.wrenches.front().first;
+    const bool isLeft = std::any_of(coupling.wrenches.begin(), coupling.wrenches.end(), [&](const auto& one) {
+      const statics::RigidBody& body = rigid.bodies[one.first];
+      statics::Motion motion = motions[one.first];
+      if (!isToGround && coupling.wrenches.size() > 1) {
+        motion.translation =
+            motion.translation - statics::displacementOf(rigid.bodies[first], motions[first], body.centre);
+        motion.rotation = motion.rotation - motions[first].rotation;
+      }
+      return wayOf(body, motion) >= takesPart;
+    });
+    const std::string name = base::quoted(interface.name);
+    if (isLeft && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
 /// 'part "a" along (1, 0, 0), sliding along "joint"' for every part that takes part.
 std::string describeMotions(const assembly::Assembly& assembly, const RigidParts& parts,
                             const std::vector<statics::Motion>& motions) {
   const statics::RigidAssembly& rigid = parts.rigid();
   std::string text;
   for (std::size_t b = 0; b < motions.size(); ++b) {
-    const double way =
-        std::max(base::norm(motions[b].translation), rigid.bodies[b].size * base::norm(motions[b].rotation));
-    if (way < takesPart) continue;
+    if (wayOf(rigid.bodies[b], motions[b]) < takesPart) continue;
     text += (text.empty() ? "" : "; ") + parts.nameOf(static_cast<int>(b)) + " " +
             statics::describe(rigid.bodies[b], motions[b]);
   }
@@ -56,6 +85,8 @@ std::string describeMotions(const assembly::Assembly& assembly, const RigidParts
     const std::string name = base::quoted(assembly.interfaces[i].name);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
+  const std::vector<std::string> freeing = namesLeavingFree(assembly, rigid, motions);
+  if (!freeing.empty()) text += ", left free by " + base::joinNames(freeing, 4);
   if (!sliding.empty()) text += ", sliding along " + base::joinNames(sliding, 4);
   if (!leaving.empty()) text += (sliding.empty() ? ", leaving " : ", and leaving ") + base::joinNames(leaving, 4);
   return text;
@@ -137,10 +168,11 @@ LoadBalance::LoadBalance(const assembly::Assembly& assembly, const Teuchos::Comm
     }
   }
   for (std::size_t t = 0; t < steps; ++t) {
-    addTighteningForces(assembly, static_cast<int>(t),
-                        [&](std::size_t body, const base::Vector3& x, const base::Vector3& force) {
-                          if (assembly.ownerOf(static_cast<int>(body)) == comm.getRank()) add(body, t, x, force.data());
-                        });
+    const auto addOwn = [&](std::size_t body, const base::Vector3& x, const base::Vector3& force) {
+      if (assembly.ownerOf(static_cast<int>(body)) == comm.getRank()) add(body, t, x, force.data());
+    };
+    addTighteningForces(assembly, static_cast<int>(t), addOwn);
+    addFaceForces(assembly, static_cast<int>(t), addOwn);
   }
   // One rank knows a body, so that the sums are the same to the last digit however many there are.
   sums_.resize(mine.size());

@@ -5,6 +5,8 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/latin/detail/BodyGroups.hpp>
+#include <harmos/latin/detail/CoupledFaces.hpp>
+#include <harmos/latin/detail/FixedPlaces.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -14,8 +16,6 @@ using assembly::Interface;
 
 // Distance of the sides of a pair, over the size of the assembly, that is none: both feel the traction at one place.
 constexpr double together = 1e-10;
-// Extent of nodes across a line (in the plane across a point), over that along it, that fixes no rotation.
-constexpr double flat = 1e-6;
 
 double sizeOf(const std::vector<base::Vector3>& nodes) {
   double size = 0.0;
@@ -43,20 +43,6 @@ std::vector<base::Vector3> placesOf(const Assembly& assembly, const Interface& i
   return places;
 }
 
-/// Whether equal displacements at these places are equal rigid motions.
-bool areFixed(const std::vector<base::Vector3>& places, int dimension) {
-  const base::Vector3& origin = places.front();
-  const auto farthest = std::max_element(places.begin(), places.end(), [&](const auto& a, const auto& b) {
-    return base::distance(a, origin) < base::distance(b, origin);
-  });
-  const double length = base::distance(*farthest, origin);
-  if (dimension == 2 || length == 0.0) return length > 0.0;
-  const base::Vector3 along = (1.0 / length) * (*farthest - origin);
-  return std::any_of(places.begin(), places.end(), [&](const base::Vector3& x) {
-    return base::norm(base::cross(along, x - origin)) > flat * length;
-  });
-}
-
 }  // namespace
 
 RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotions>& resisted, int step,
@@ -72,9 +58,10 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
   };
   std::vector<Connection> connections;
   BodyGroups groups(assembly.bodies.size());
+  const CoupledFaces faces(assembly, step);
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const Interface& interface = assembly.interfaces[i];
-    if (interface.law->prescribesTraction() || interface.pairs() == 0) continue;
+    if (interface.law->prescribesTraction() || interface.pairs() == 0 || faces.contains(i)) continue;
     const auto tractions = interface.law->admissibleTractions(step);
     if (!tractions && unknown == Unknown::carriesNothing) continue;
     Connection connection{i, tractions.value_or(laws::AdmissibleTractions{}), {}};
@@ -92,6 +79,7 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
       connections.push_back(std::move(connection));
     }
   }
+  faces.join(groups);
 
   std::vector<int> numberOf(assembly.bodies.size() + 1, -1);
   const int ground = groups.rootOf(-1);
@@ -143,6 +131,7 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
       rigid_.joints.push_back(joint);
     }
   }
+  rigid_.couplings = faces.couplings(rigid_.bodies, rigidBodyOf_);
 }
 
 std::string RigidParts::nameOf(int rigidBody) const {

@@ -8,6 +8,7 @@
 
 #include <harmos/base/Names.hpp>
 #include <harmos/latin/detail/RigidParts.hpp>
+#include <harmos/latin/detail/TighteningForces.hpp>
 #include <harmos/statics/FreeMotions.hpp>
 #include <harmos/statics/MotionText.hpp>
 
@@ -80,12 +81,13 @@ std::vector<base::Vector3> resisted(const statics::Joint& joint, const double* n
   return directions;
 }
 
-/// Work of the forces at all joints along a motion [force length].
-double workOfJoints(const statics::RigidAssembly& rigid, const std::vector<double>& states,
-                    const std::vector<statics::Motion>& motion) {
+/// Work of the forces at all joints along a motion [force length]; what tightens them is a load.
+double workOfJoints(const assembly::Assembly& assembly, int step, const statics::RigidAssembly& rigid,
+                    const std::vector<double>& states, const std::vector<statics::Motion>& motion) {
   double work = 0.0;
   for (std::size_t j = 0; j < rigid.joints.size(); ++j) {
     const statics::Joint& joint = rigid.joints[j];
+    if (isTightened(assembly.interfaces[joint.interface], step)) continue;
     const double* const numbers = states.data() + numbersPerJoint * j;
     const base::Vector3 jump = statics::jumpOf(joint, rigid.bodies, motion);  // of side 2 less side 1, in the frame
     work -= joint.area * base::dot({numbers[1], numbers[2], numbers[3]}, jump);
@@ -187,8 +189,9 @@ UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
     hasForce = hasForce || largest[static_cast<std::size_t>(t)] > roundOff;
     if (!hasForce) continue;
     const RigidParts parts(assembly, own, t, RigidParts::Unknown::carriesAll);
-    const statics::RigidAssembly& rigid = parts.rigid();
+    statics::RigidAssembly rigid = parts.rigid();
     if (rigid.bodies.empty()) continue;
+    slideAlongForces(assembly, t, rigid);
     const std::vector<double> states = statesOf(rigid, state, t);
     // Little load presses little; without any, pressure is round-off.
     const double nothing = balance != nullptr && balance->sizeAt(t) == 0.0 ? roundOff : 0.0;
@@ -197,7 +200,7 @@ UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
       findings[free.names].add(t, free);
       if (balance == nullptr) continue;
       // Friction that slides may carry loads along a way that it leaves free.
-      const double load = balance->loadAlong(t, parts, motion, workOfJoints(rigid, states, motion));
+      const double load = balance->loadAlong(t, parts, motion, workOfJoints(assembly, t, rigid, states, motion));
       if (load == 0.0) continue;
       leastLoad_ = std::min(leastLoad_, load);
       if (firstLoaded_ < 0) firstLoaded_ = t;

@@ -23,13 +23,14 @@ double entry(const double* sums, int i, int j) {
 
 FaceJoint::FaceJoint(Kind kind, const FaceMotions& face, const base::Vector3& point, const base::Frame& axes,
                      double sign)
-    : kind_(kind), face_(face), sign_(sign), used_(face.components()), motion_{} {
+    : kind_(kind), face_(face), sign_(sign), used_(face.components()), motion_{}, unit_{} {
   for (const int i : used_) {
     const auto axis = static_cast<std::size_t>(i % 3);
     Six unit{};
     for (std::size_t c = 0; c < 3; ++c) unit[c + (i < 3 ? 0 : 3)] = axes[axis][c];
+    unit_[static_cast<std::size_t>(i)] = face.divided(face.fromPoint(point, unit));
     if (kind == Kind::distributing) {
-      motion_[static_cast<std::size_t>(i)] = face.divided(face.fromPoint(point, unit));
+      motion_[static_cast<std::size_t>(i)] = unit_[static_cast<std::size_t>(i)];
       continue;
     }
     Six& motion = motion_[static_cast<std::size_t>(i)];
@@ -41,9 +42,17 @@ FaceJoint::FaceJoint(Kind kind, const FaceMotions& face, const base::Vector3& po
 }
 
 std::array<base::Vector3, 6> FaceJoint::vectors(const base::Vector3& place) const {
+  return fieldsAt(motion_, place);
+}
+
+std::array<base::Vector3, 6> FaceJoint::unitTractions(const base::Vector3& place) const {
+  return fieldsAt(unit_, place);
+}
+
+std::array<base::Vector3, 6> FaceJoint::fieldsAt(const std::array<Six, 6>& fields, const base::Vector3& place) const {
   std::array<base::Vector3, 6> result{};
   for (const int i : used_) {
-    result[static_cast<std::size_t>(i)] = sign_ * face_.at(motion_[static_cast<std::size_t>(i)], place);
+    result[static_cast<std::size_t>(i)] = sign_ * face_.at(fields[static_cast<std::size_t>(i)], place);
   }
   return result;
 }

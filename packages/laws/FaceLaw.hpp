@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,17 @@ class FaceLaw {
   /// What it holds of the mean motion of one face against the ground; asked when it is bound. Laws that hold more than
   /// the mean motion, or one face against the other, have none.
   virtual std::vector<HeldMotion> heldMotions() const { return {}; }
+  /// What becomes of one component of the resultant of its tractions on the face.
+  struct Resultant {
+    bool isBorne = false;  ///< it takes any value that equilibrium asks for
+    double force = 0.0;    ///< acts whatever the motion [force], of a moment [force length]
+  };
+  /// All six, at a load step counted from 0, along the axes of the law in its point; asked when it is bound. Nothing of
+  /// laws whose tractions are given.
+  virtual std::optional<std::array<Resultant, 6>> resultants(int /*step*/) const { return std::nullopt; }
+  /// For each of them tractions on side 1 at a place of the face [1/area, of a moment 1/(area length)] that have the
+  /// resultant 1 in it and 0 in all others, when they act on all of the face; global components.
+  virtual std::array<base::Vector3, 6> unitTractions(const base::Vector3& /*place*/) const { return {}; }
   /// Of a law between two faces that need not lie on each other, each an interface with one side: that of the second,
   /// not bound; null: the law acts on one face.
   virtual std::shared_ptr<const InterfaceLaw> onOtherFace() const { return nullptr; }

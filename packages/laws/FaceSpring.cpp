@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/laws/CoupledLaw.hpp>
@@ -115,6 +116,17 @@ class FaceSpring final : public CoupledLaw, public FaceLaw {
     auto other = std::make_shared<FaceSpring>(*this);
     other->isOther_ = true;
     return other;
+  }
+
+  /// Its force along the axis is that of tighteningForce(), or that of the lock, which the axial stiffness bears on.
+  std::optional<std::array<Resultant, 6>> resultants(int step) const override {
+    std::array<Resultant, 6> all;
+    for (std::size_t i = 0; i < 6; ++i) all[i].isBorne = stiffness_[i] > 0.0;
+    if (force_) all[0].isBorne = locking_.isLocked(step);
+    return all;
+  }
+  std::array<base::Vector3, 6> unitTractions(const base::Vector3& place) const override {
+    return joint_->unitTractions(place);
   }
 
   void addToSums(int, const NodeArrays& nodes, double* sums) const override {

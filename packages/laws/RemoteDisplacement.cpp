@@ -2,6 +2,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <harmos/laws/CoupledLaw.hpp>
@@ -105,6 +106,15 @@ class RemoteDisplacement final : public CoupledLaw, public FaceLaw {
       held.push_back({components[i], face_->fromPoint(point_.value_or(face_->centre()), unit)});
     }
     return held;
+  }
+
+  std::optional<std::array<Resultant, 6>> resultants(int step) const override {
+    std::array<Resultant, 6> all;
+    for (std::size_t i = 0; i < 6; ++i) all[i] = {stiffness_[i] > 0.0, force_[i][step]};
+    return all;
+  }
+  std::array<base::Vector3, 6> unitTractions(const base::Vector3& place) const override {
+    return joint_->unitTractions(place);
   }
 
   void addToSums(int, const NodeArrays& nodes, double* sums) const override {

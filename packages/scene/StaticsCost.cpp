@@ -4,6 +4,7 @@
 
 #include <harmos/base/Timers.hpp>
 #include <harmos/latin/LoadBalance.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -46,7 +47,9 @@ StaticsSize staticsOf(const assembly::Assembly& assembly, const Teuchos::Comm<in
   if (count == 0) return size;
   for (const assembly::Interface& interface : assembly.interfaces) {
     const int first = bodies[interface.body1], second = interface.sides() == 2 ? bodies[interface.body2] : -1;
-    if (interface.law->prescribesTraction() || first == second) continue;
+    const auto* ofFace = dynamic_cast<const laws::FaceLaw*>(interface.law.get());
+    const bool isCoupling = ofFace != nullptr && ofFace->resultants(0);  // a few columns for all of the face
+    if (interface.law->prescribesTraction() || isCoupling || first == second) continue;
     const auto tractions = interface.law->admissibleTractions(0).value_or(laws::AdmissibleTractions{});
     size.joints += interface.pairs();
     size.columns += interface.pairs() * columnsOf(tractions, assembly.dimension);

@@ -79,6 +79,8 @@ class Programme {
     addRay(joint, 0.0, -1.0);
   }
 
+  void addCoupling(const Coupling& coupling) { add(workOf(assembly_, coupling), -infinity, infinity); }
+
   /// Whether the friction of all joints withstands the motion; where it does not, the ray that does is added.
   bool withstands(const std::vector<Motion>& motions) {
     std::vector<base::Vector3> jumps;
@@ -130,10 +132,14 @@ class Programme {
     return std::isinf(traction) || traction == 0.0 ? traction : traction * joint.area / scale_;
   }
 
-  void add(const Joint& joint, const base::Vector3& direction, double lower, double upper) {
+  void add(const std::vector<WorkTerm>& work, double lower, double upper) {
     std::vector<LinearProgramme::Entry> column;
-    for (const WorkTerm& term : workOf(assembly_, joint, direction)) column.push_back({term.index, term.value});
+    for (const WorkTerm& term : work) column.push_back({term.index, term.value});
     programme_.add(column, lower, upper, 0.0);
+  }
+
+  void add(const Joint& joint, const base::Vector3& direction, double lower, double upper) {
+    add(workOf(assembly_, joint, direction), lower, upper);
   }
 
   /// The pressure 1 with the friction that it allows along t1, t2.
@@ -176,6 +182,7 @@ Balance findBalance(const RigidAssembly& assembly, const std::vector<Wrench>& lo
   if (assembly.bodies.empty() || scale == 0.0) return balance;
   Programme programme(assembly, resultants(assembly, loads, scale), scale, friction);
   for (const Joint& joint : assembly.joints) programme.addJoint(joint);
+  for (const Coupling& coupling : assembly.couplings) programme.addCoupling(coupling);
   balance.isKnown = programme.solve();
   if (!balance.isKnown) return balance;
   balance.residual = programme.residual();

@@ -20,8 +20,8 @@ struct Balance {
   std::vector<Motion> motions;
 };
 
-/// The least residual of loads (about the centres of the bodies, one wrench each) and tractions times areas; `scale`
-/// [force] is the size of the loads, such as the sum of absolute nodal forces.
+/// The least residual of loads (about the centres of the bodies, one wrench each), tractions times areas and couplings;
+/// `scale` [force] is the size of the loads, such as the sum of absolute nodal forces.
 ///
 /// A linear programme over the tractions. The cone of friction in space is met exactly by adding the rays along which
 /// the motion of the last programme slides (column generation): the forces that balance lie within the cones, and the

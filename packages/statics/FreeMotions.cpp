@@ -115,6 +115,7 @@ std::vector<std::vector<Motion>> findFreeMotions(const RigidAssembly& assembly, 
   const int motions = assembly.motions();
   std::vector<std::vector<WorkTerm>> jumps;
   for (const Hold& hold : holds) jumps.push_back(workOf(assembly, assembly.joints[hold.joint], hold.direction));
+  for (const Coupling& coupling : assembly.couplings) jumps.push_back(workOf(assembly, coupling));
   for (std::size_t b = 0; b < assembly.bodies.size(); ++b) {
     for (int i = 0; i < motions; ++i) {
       if (assembly.bodies[b].isHeld[i]) jumps.push_back({{motions * static_cast<int>(b) + i, 1.0}});

@@ -10,7 +10,8 @@ struct Hold {
   base::Vector3 direction{};  ///< unit vector, global components
 };
 
-/// A basis of the rigid motions that none of the holds feels: every jump along a hold is 0.
+/// A basis of the rigid motions that neither a hold nor a coupling feels: every jump along a hold is 0, and so is the
+/// work of every coupling.
 ///
 /// Each motion is one vector per body; its largest displacement over the sizes of the bodies is 1. Motions of few
 /// bodies and along few axes come out as such. Not collective.

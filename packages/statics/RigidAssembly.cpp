@@ -1,13 +1,17 @@
 #include <harmos/statics/RigidAssembly.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace harmos::statics {
 namespace {
 
-void addWork(const RigidAssembly& assembly, int body, const base::Vector3& place, const base::Vector3& force,
-             std::vector<WorkTerm>& terms) {
-  if (body < 0) return;
-  const RigidBody& rigid = assembly.bodies[body];
-  const base::Vector3 moment = (1.0 / rigid.size) * base::cross(place - rigid.centre, force);
+// Over the largest value of a coupling.
+constexpr double roundOff = 1e-12;
+
+void addWork(const RigidAssembly& assembly, int body, const Wrench& wrench, std::vector<WorkTerm>& terms) {
+  const base::Vector3& force = wrench.force;
+  const base::Vector3 moment = (1.0 / assembly.bodies[body].size) * wrench.moment;
   const int first = assembly.motions() * body;
   if (assembly.dimension == 2) {
     terms.insert(terms.end(), {{first, force[0]}, {first + 1, force[1]}, {first + 2, moment[2]}});
@@ -17,6 +21,12 @@ void addWork(const RigidAssembly& assembly, int body, const base::Vector3& place
     terms.push_back({first + c, force[c]});
     terms.push_back({first + 3 + c, moment[c]});
   }
+}
+
+void addWork(const RigidAssembly& assembly, int body, const base::Vector3& place, const base::Vector3& force,
+             std::vector<WorkTerm>& terms) {
+  if (body < 0) return;
+  addWork(assembly, body, {force, base::cross(place - assembly.bodies[body].centre, force)}, terms);
 }
 
 }  // namespace
@@ -37,6 +47,17 @@ std::vector<WorkTerm> workOf(const RigidAssembly& assembly, const Joint& joint, 
   // One column must not name a row twice.
   for (std::size_t i = 0; i < ofBody1; ++i) terms[i].value += terms[ofBody1 + i].value;
   terms.resize(ofBody1);
+  return terms;
+}
+
+std::vector<WorkTerm> workOf(const RigidAssembly& assembly, const Coupling& coupling) {
+  std::vector<WorkTerm> all, terms;
+  for (const auto& [body, wrench] : coupling.wrenches) addWork(assembly, body, wrench, all);
+  double largest = 0.0;
+  for (const WorkTerm& term : all) largest = std::max(largest, std::abs(term.value));
+  for (const WorkTerm& term : all) {
+    if (std::abs(term.value) > roundOff * largest) terms.push_back({term.index, term.value / largest});
+  }
   return terms;
 }
 

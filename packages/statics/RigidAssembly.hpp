@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include <harmos/laws/AdmissibleTractions.hpp>
@@ -40,11 +41,19 @@ struct Joint {
   laws::AdmissibleTractions tractions;  ///< what t may be
 };
 
-/// Rigid bodies and the joints between them. In the plane all that leaves it is left out.
+/// Forces of a law over a whole face, on one body or several, which come together only, in one ratio, of any size and
+/// sign.
+struct Coupling {
+  int interface = -1;                            ///< a number of the caller's
+  std::vector<std::pair<int, Wrench>> wrenches;  ///< of one unit; position in RigidAssembly::bodies, each once at most
+};
+
+/// Rigid bodies and what joins them. In the plane all that leaves it is left out.
 struct RigidAssembly {
-  int dimension = 3;              ///< 2 or 3
-  std::vector<RigidBody> bodies;  ///< none of them is the ground
-  std::vector<Joint> joints;      ///< of all bodies
+  int dimension = 3;                ///< 2 or 3
+  std::vector<RigidBody> bodies;    ///< none of them is the ground
+  std::vector<Joint> joints;        ///< of all bodies
+  std::vector<Coupling> couplings;  ///< the same
 
   /// Translations and rotations of a body: 3 or 6.
   int motions() const { return dimension == 2 ? 3 : 6; }
@@ -67,6 +76,10 @@ struct WorkTerm {
 };
 /// See WorkTerm.
 std::vector<WorkTerm> workOf(const RigidAssembly& assembly, const Joint& joint, const base::Vector3& direction);
+
+/// The work of a coupling in the motions of the bodies, likewise; of so many units that the largest value is 1, without
+/// what is round-off beside it.
+std::vector<WorkTerm> workOf(const RigidAssembly& assembly, const Coupling& coupling);
 
 /// From numbers in the order of WorkTerm::index, rotations times size, to motions.
 std::vector<Motion> motionsOf(const RigidAssembly& assembly, const std::vector<double>& values);

@@ -13,7 +13,8 @@ namespace harmos::latin {
 ///
 /// Bodies that laws join so that every traction is borne, at places that fix them to each other, are one rigid body:
 /// the pieces of a part, what is glued or tightened. Those that are fixed to the ground in that way belong to it. All
-/// other interfaces, except those whose law prescribes its traction, are joints, pair by pair.
+/// other interfaces, except those whose law prescribes its traction, are joints, pair by pair, or, where a law over a
+/// whole face says what it bears of the resultant, couplings.
 class RigidParts {
  public:
   /// Whether laws that do not know what they can carry count as if they could carry everything, or nothing.
@@ -24,7 +25,8 @@ class RigidParts {
   RigidParts(const assembly::Assembly& assembly, const std::vector<ResistedMotions>& resisted, int step,
              Unknown unknown);
 
-  /// The rigid bodies, and the joints between them; Joint::interface and Joint::pair are those of the assembly.
+  /// The rigid bodies, and the joints and couplings between them; Joint::interface, Joint::pair and Coupling::interface
+  /// are those of the assembly.
   const statics::RigidAssembly& rigid() const { return rigid_; }
   /// Rigid body that a body belongs to; -1: the ground.
   int rigidBodyOf(int body) const { return rigidBodyOf_[body]; }

@@ -18,8 +18,8 @@ void addTighteningForces(const assembly::Assembly& assembly, int step,
                          const std::function<void(std::size_t, const base::Vector3&, const base::Vector3&)>& add);
 
 /// Makes the joints of such faces slide along their force: of the tractions that they may bear, those along it are left
-/// out, and two across it, before and behind the face, bear the moments. A face that is tightened against one that lies
-/// apart bears the rest on the ground, which claims less. Joint::interface must be the position in the assembly.
+/// out, and two across it, before and behind the face, bear the moments. Couplings of faces that lie apart leave it out
+/// by themselves. Joint::interface must be the position in the assembly.
 void slideAlongForces(const assembly::Assembly& assembly, int step, statics::RigidAssembly& rigid);
 
 }  // namespace harmos::latin

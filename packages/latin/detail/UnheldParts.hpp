@@ -13,7 +13,9 @@ namespace harmos::latin {
 ///
 /// Contacts that are open, or bear nothing but round-off at a load step without loads, resist nothing, those that slide
 /// neither their normal nor, with friction, the direction across their slip excepted; those that stick and joints that
-/// are bonded resist all that their laws can bear. Load steps before the first force between parts are left out.
+/// are bonded resist all that their laws can bear, but bolts that are being tightened not the way of their force, and
+/// laws over whole faces only what they bear of the resultant. Load steps before the first force between parts are left
+/// out.
 class UnheldParts {
  public:
   /// Collective. Of all load steps, which must be selected. `balance`: of the same assembly; null: loads are not asked

@@ -43,15 +43,20 @@ class FaceJoint {
   Six motions(const double* sums, const Six& c) const;
   /// Writes the tractions of some points.
   void meet(const NodeArrays& nodes, const Six& c) const;
+  /// Tractions at a place that have the resultant 1 in one component: v_i, whatever the kind.
+  std::array<base::Vector3, 6> unitTractions(const base::Vector3& place) const;
   /// The vectors v_i or phi_i at a place.
   std::array<base::Vector3, 6> vectors(const base::Vector3& place) const;
 
  private:
+  std::array<base::Vector3, 6> fieldsAt(const std::array<Six, 6>& fields, const base::Vector3& place) const;
+
   Kind kind_;
   FaceMotions face_;
   double sign_;
   std::vector<int> used_;      // components that there are in this dimension
   std::array<Six, 6> motion_;  // about the centre of the face, of c_i = 1
+  std::array<Six, 6> unit_;    // the same of v_i
 };
 
 }  // namespace harmos::laws

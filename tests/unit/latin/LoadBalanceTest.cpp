@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <harmos/latin/LoadBalance.hpp>
-#include <harmos/laws/FaceLaw.hpp>
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
+#include "Faces.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -160,17 +160,7 @@ BoxAssembly boltedCubes(double distance, const Law& top) {
   input::Parameters spring("law");
   spring.set("Type", std::string("Face Spring")).set("Point", std::vector<double>{0.5, 0.5, 1.0 + 0.5 * distance});
   spring.set("Axis", std::vector<double>{0, 0, 1}).set("Force", 2.0);
-  Law law = laws::builtInLaws().create(spring);
-  for (const char* face : {"lower_zmax", "upper_zmin"}) {
-    cubes.hold(face, face, law);
-    assembly::Interface& interface = cubes.assembly().interfaces.back();
-    std::vector<std::pair<base::Vector3, double>> points;
-    for (int p = 0; p < interface.pairs(); ++p) points.emplace_back(interface.position[p], interface.area[p]);
-    const auto& ofFace = dynamic_cast<const laws::FaceLaw&>(*law);
-    interface.law = ofFace.on(std::make_shared<laws::FaceMotions>(*laws::FaceMotions::of(points, 3)));
-    interface.face = 0;
-    law = ofFace.onOtherFace();
-  }
+  holdFace(cubes, {"lower_zmax"}, laws::builtInLaws().create(spring), {"upper_zmin"});
   return cubes;
 }
 
@@ -187,6 +177,84 @@ TEST(LoadBalance, CountsForcesOfBoltsBetweenFaces) {
   EXPECT_TRUE(Answers(pressed.assembly()).isSure);
   BoxAssembly open = boltedCubes(0.0, push(0.0, 3.0));
   EXPECT_NE(Answers(open.assembly()).contradiction, "");
+}
+
+/// A cube whose lower face is held in a point, with more numbers of the law, under a traction on its upper face.
+BoxAssembly heldInAPoint(std::map<std::string, double> held, const Law& top) {
+  BoxAssembly cube({{"cube", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}}});
+  held.insert({{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}});
+  holdFace(cube, {"cube_zmin"}, laws::makeLaw("Remote Displacement", held));
+  cube.hold("top", "cube_zmax", top);
+  return cube;
+}
+
+// Displacements held in a point, but not rotations, make a hinge: it bears what goes through the point.
+TEST(LoadBalance, OfAFaceHeldInAPointKnowsItsHinge) {
+  EXPECT_TRUE(Answers(heldInAPoint({}, push(0.0, 1.0)).assembly()).isSure);
+  const std::string turns = Answers(heldInAPoint({}, push(0.1, 1.0)).assembly()).contradiction;
+  for (const char* part : {"moment about its centre (0, 0.1, 0)", "turning about (0, 1, 0) through (0.5, 0.5, 0)",
+                           "left free by \"on cube_zmin\""})
+    EXPECT_NE(turns.find(part), std::string::npos) << turns;
+  for (const auto& more : std::vector<std::map<std::string, double>>{
+           {{"Rotation Y", 0.0}}, {{"Rotation Y Stiffness", 1e-6}}, {{"Moment Y", -0.1}}}) {
+    const Answers held(heldInAPoint(more, push(0.1, 1.0)).assembly());
+    EXPECT_EQ(held.contradiction, "") << more.begin()->first;
+    EXPECT_TRUE(held.isSure) << more.begin()->first;
+  }
+  for (const auto& more : std::vector<std::map<std::string, double>>{
+           {{"Rotation X", 0.0}}, {{"Rotation Y Stiffness", 0.0}}, {{"Moment Y", -0.05}}}) {
+    EXPECT_NE(Answers(heldInAPoint(more, push(0.1, 1.0)).assembly()).contradiction, "") << more.begin()->first;
+  }
+}
+
+// All six held are a clamp, however it is given.
+TEST(LoadBalance, OfAFaceHeldInAPointKnowsWhatIsClamped) {
+  base::Timers timers;
+  const std::map<std::string, double> all{{"Rotation X", 0.0}, {"Rotation Y", 0.0}, {"Rotation Z", 0.0}};
+  EXPECT_EQ(LoadBalance(heldInAPoint(all, push(1.0, 1.0)).assembly(), *self(), timers).rigidBodies(),
+            std::vector<int>{-1});
+  EXPECT_EQ(LoadBalance(heldInAPoint({{"Rotation X", 0.0}}, push(1.0, 1.0)).assembly(), *self(), timers).rigidBodies(),
+            std::vector<int>{0});
+}
+
+/// Two cubes beside each other at a distance of 1 whose lower faces are one face that is clamped in a point, under
+/// forces along z of which the second is given.
+BoxAssembly clampedTogether(const std::string& kind, double second) {
+  BoxAssembly cubes({{"a", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}}, {"b", {2, 0, 0}, {3, 1, 1}, {1, 1, 1}}});
+  input::Parameters law("law");
+  law.set("Type", std::string("Remote Displacement")).set("Kind", kind);
+  for (const char* held : {"X", "Y", "Z", "Rotation X", "Rotation Y", "Rotation Z"}) law.set(held, 0.0);
+  holdFace(cubes, {"a_zmin", "b_zmin"}, laws::builtInLaws().create(law));
+  cubes.hold("on a", "a_zmax", push(0.0, 1.0));
+  cubes.hold("on b", "b_zmax", push(0.0, second));
+  return cubes;
+}
+
+// The mean motion of two bodies is held, not each of them; a face that is rigid holds both.
+TEST(LoadBalance, OfAFaceOfTwoBodiesKnowsItsKind) {
+  EXPECT_EQ(Answers(clampedTogether("Rigid", -3.0).assembly()).contradiction, "");
+  EXPECT_NE(Answers(clampedTogether("Distributing", -3.0).assembly()).contradiction, "");
+}
+
+// Springs that are left out leave the joint between two faces free.
+TEST(LoadBalance, OfAJointBetweenFacesKnowsWhatItLeavesFree) {
+  const auto contradictionOf = [](const std::map<std::string, double>& springs, const Law& top) {
+    BoxAssembly cubes({{"lower", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}}, {"upper", {0, 0, 2}, {1, 1, 3}, {1, 1, 1}}});
+    cubes.hold("bottom", "lower_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+    holdFace(cubes, {"lower_zmax"},
+             laws::makeLaw("Face Spring", springs, {}, {{"Point", {0.5, 0.5, 1.5}}, {"Axis", {0.0, 0.0, 1.0}}}),
+             {"upper_zmin"});
+    cubes.hold("top", "upper_zmax", top);
+    return Answers(cubes.assembly()).contradiction;
+  };
+  EXPECT_EQ(contradictionOf({}, push(1.0, 1.0)), "");
+  EXPECT_EQ(contradictionOf({{"Bending Stiffness", 1e-6}}, push(1.0, 1.0)), "");
+  EXPECT_EQ(contradictionOf({{"Bending Stiffness", 0.0}}, push(0.0, 1.0)), "");
+  const std::string turns = contradictionOf({{"Bending Stiffness", 0.0}}, push(1.0, 1.0));
+  for (const char* part : {"part \"upper\"", "turning about (0, 1, 0) through (0.5, 0.5, 1.5)", "left free by"})
+    EXPECT_NE(turns.find(part), std::string::npos) << turns;
+  EXPECT_EQ(contradictionOf({{"Axial Stiffness", 0.0}}, push(1.0, 0.0)), "");
+  EXPECT_NE(contradictionOf({{"Axial Stiffness", 0.0}}, push(1.0, 1.0)), "");
 }
 
 TEST(LoadBalance, NamesPartLoadStepAndMotion) {

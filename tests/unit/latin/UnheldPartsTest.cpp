@@ -5,6 +5,7 @@
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
+#include "Faces.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -53,9 +54,47 @@ TEST(UnheldParts, AreNoneOnRollers) {
   EXPECT_TRUE(remarksOn(cubes).empty());
 }
 
+// What is eliminated at the foot of a chain does not hold it in the macro problem.
+TEST(UnheldParts, OfAChainOnRollersCanSlide) {
+  BoxAssembly chain({{"a", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}},
+                     {"b", {0, 0, 1}, {1, 1, 2}, {1, 1, 1}},
+                     {"c", {0, 0, 2}, {1, 1, 3}, {1, 1, 1}}});
+  chain.hold("bottom", "a_zmin", laws::makeLaw("Symmetry"));
+  chain.join("ab", "a_zmax", "b_zmin", laws::makeLaw("Perfect"));
+  chain.join("bc", "b_zmax", "c_zmin", laws::makeLaw("Perfect"));
+  chain.hold("top", "c_zmax", push(0.0, 1.0));
+  const auto remarks = remarksOn(chain);
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_NE(remarks[0].find("along (1, 0, 0)"), std::string::npos) << remarks[0];
+}
+
 TEST(UnheldParts, ByGlueWithoutStiffnessAlongItCanSlide) {
   const Law rollers = laws::makeLaw("Linear Elastic", {{"Normal Stiffness", 10.0}, {"Tangential Stiffness", 0.0}});
   EXPECT_EQ(remarksOn(twoCubes(rollers, push(0.0, 1.0))).size(), 1U);
+}
+
+// A force is no place: the bolt gives way until it is locked.
+TEST(UnheldParts, OnABoltThatIsTightenedCanGiveWay) {
+  const auto remarks = remarksOn(twoCubes(laws::makeLaw("Pretension", {{"Force", 2.0}}), push(0.5, 2.0)));
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_NE(remarks[0].find("upper\" at load step 1: free along (0, 0, 1);"), std::string::npos) << remarks[0];
+}
+
+// Loads that go through the point are borne; that the cube may turn about it is said.
+TEST(UnheldParts, OnAFaceHeldInAPointCanTurn) {
+  const auto remarksWith = [](std::map<std::string, double> held) {
+    BoxAssembly cube({{"cube", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}});
+    held.insert({{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}});
+    holdFace(cube, {"cube_zmin"}, laws::makeLaw("Remote Displacement", held));
+    cube.hold("top", "cube_zmax", push(0.0, 1.0));
+    return remarksOn(cube);
+  };
+  const auto remarks = remarksWith({});
+  ASSERT_EQ(remarks.size(), 1U);
+  for (const char* part : {"cube", "load step 1", "turning about (1, 0, 0) through (0.5, 0.5, 0)",
+                           "turning about (0, 1, 0) through (0.5, 0.5, 0)", "turning about (0, 0, 1)"})
+    EXPECT_NE(remarks[0].find(part), std::string::npos) << remarks[0];
+  EXPECT_TRUE(remarksWith({{"Rotation X", 0.0}, {"Rotation Y Stiffness", 1e-3}, {"Rotation Z", 0.0}}).empty());
 }
 
 TEST(UnheldParts, AreNamedWithTheirLoadSteps) {

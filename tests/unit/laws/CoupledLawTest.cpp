@@ -112,6 +112,39 @@ std::vector<double> sumsOf(const CoupledLaw& law, Points& points) {
   return sums;
 }
 
+// Of every component the unit tractions have its resultant in the point; what is left free has the force that is given.
+TEST(CoupledLaws, HaveUnitTractionsOfUnitResultant) {
+  const Points points(9);
+  const base::Vector3 point{1.0, 2.0, 3.0};
+  int faces = 0;
+  for (const auto& law : laws(points)) {
+    const auto* ofFace = dynamic_cast<const FaceLaw*>(law.get());
+    if (ofFace == nullptr) continue;
+    ++faces;
+    const bool isSpring = ofFace->onOtherFace() != nullptr;
+    for (std::size_t c = 0; c < 6; ++c) {
+      base::Vector3 force{}, moment{};
+      for (std::size_t p = 0; p < points.position.size(); ++p) {
+        const base::Vector3 f = points.area[p] * ofFace->unitTractions(points.position[p])[c];
+        force = force + f;
+        moment = moment + base::cross(points.position[p] - point, f);
+      }
+      EXPECT_NEAR(base::norm(force), c < 3 ? 1.0 : 0.0, 1e-10) << law->name() << ' ' << c;
+      EXPECT_NEAR(base::norm(moment), c < 3 ? 0.0 : 1.0, 1e-10) << law->name() << ' ' << c;
+      if (isSpring) continue;  // along axes of its own
+      EXPECT_NEAR((c < 3 ? force : moment)[c % 3], 1.0, 1e-10) << law->name() << ' ' << c;
+    }
+    const auto resultants = ofFace->resultants(0).value();
+    const std::array<bool, 6> borne = isSpring ? std::array<bool, 6>{false, true, true, false, true, true}
+                                               : std::array<bool, 6>{true, true, false, false, false, true};
+    for (std::size_t c = 0; c < 6; ++c) {
+      EXPECT_EQ(resultants[c].isBorne, borne[c]) << law->name() << ' ' << c;
+      EXPECT_EQ(resultants[c].force, !isSpring && c == 2 ? 4.0 : 0.0) << law->name() << ' ' << c;
+    }
+  }
+  EXPECT_EQ(faces, 3);
+}
+
 TEST(CoupledLaws, AreTheSameInPieces) {
   const int size = 2;  // of the longest history
   for (const auto& law : laws(Points(9))) {

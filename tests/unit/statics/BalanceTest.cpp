@@ -192,6 +192,18 @@ TEST(Balance, OfALimitedTractionIsWhatItsAreaBears) {
   EXPECT_NEAR(residualOf(assembly, {{0.0, 0.0, 2.0}, {}}), 0.75, 1e-9);
 }
 
+// A force in a point beside the body, of any size in any unit, bears what goes through that point.
+TEST(Balance, OfACouplingIsItsLine) {
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    RigidAssembly assembly;
+    assembly.bodies = {{{}, size}};
+    assembly.couplings = {{0, {{0, {{0.0, 0.0, 1e3}, {2e3 * size, 0.0, 0.0}}}}}};
+    EXPECT_LT(residualOf(assembly, {{0.0, 0.0, -3.0}, {-6.0 * size, 0.0, 0.0}}), roundOff) << size;
+    EXPECT_GT(residualOf(assembly, {{0.0, 0.0, -3.0}, {-5.0 * size, 0.0, 0.0}}), 0.1) << size;
+    EXPECT_GT(residualOf(assembly, {{0.0, -3.0, 0.0}, {}}), 0.1) << size;
+  }
+}
+
 TEST(Balance, OfLoadsThatBalanceEachOtherNeedsNothing) {
   const RigidAssembly assembly = block(3, 0.0, 0.0);
   const Balance balance = findBalance(assembly, {{{1e-12, 0.0, -1e-13}, {}}}, 1.0, Friction::full);

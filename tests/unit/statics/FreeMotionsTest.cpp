@@ -90,6 +90,40 @@ TEST(FreeMotions, TakeAlongWhatIsBound) {
   for (const Motion& motion : motions[0]) EXPECT_NEAR(std::abs(motion.translation[0]), 1.0, 1e-9);
 }
 
+// Forces through a point hold it, whatever the unit of length; with a moment one turn less is left.
+TEST(FreeMotions, OfABodyHeldInAPointAreItsTurns) {
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    RigidAssembly assembly;
+    assembly.bodies.push_back({{}, size});
+    for (std::size_t c = 0; c < 3; ++c) {
+      base::Vector3 unit{};
+      unit[c] = 1.0;
+      assembly.couplings.push_back({0, {{0, {unit, base::cross({0.0, 2.0 * size, 0.0}, unit)}}}});
+    }
+    const auto turns = findFreeMotions(assembly, {});
+    ASSERT_EQ(turns.size(), 3U) << size;
+    for (const auto& motion : turns)
+      EXPECT_LT(base::norm(displacementOf(assembly.bodies[0], motion[0], {0.0, 2.0 * size, 0.0})), 1e-9) << size;
+    assembly.couplings.push_back({0, {{0, {{}, {0.0, 0.0, 1.0}}}}});
+    EXPECT_EQ(findFreeMotions(assembly, {}).size(), 2U) << size;
+  }
+}
+
+// Two bodies on one face whose mean does not move go opposite ways.
+TEST(FreeMotions, OfTwoBodiesWithOneMeanAreOpposite) {
+  RigidAssembly assembly;
+  assembly.dimension = 2;
+  addBody(assembly, {-1.0, 0.0, 0.0});
+  addBody(assembly, {1.0, 0.0, 0.0});
+  std::vector<Hold> holds;
+  hold(assembly, 0, {1}, holds);
+  hold(assembly, 1, {1}, holds);
+  assembly.couplings = {{0, {{0, {{0.5, 0.0, 0.0}, {}}}, {1, {{0.5, 0.0, 0.0}, {}}}}}};
+  const auto motions = findFreeMotions(assembly, holds);
+  ASSERT_EQ(motions.size(), 1U);
+  EXPECT_NEAR(motions[0][0].translation[0], -motions[0][1].translation[0], 1e-9);
+}
+
 TEST(FreeMotions, InThePlaneAreThreeAtMost) {
   RigidAssembly assembly;
   assembly.dimension = 2;
