@@ -26,7 +26,7 @@ LinearStage::LinearStage(const assembly::Assembly& assembly, const assembly::Sea
       unfelt_(layout) {
   if (withMacroProblem) {
     const auto running = timers_.start("factor");
-    macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, operators_, options);
+    macro_ = std::make_unique<MacroProblem>(assembly, searchDirection, layout, eliminated, operators_, options);
     if (formulation == Formulation::displacement)
       unfelt_ = UnfeltStates(assembly, searchDirection, layout, macro_->modes());
   }

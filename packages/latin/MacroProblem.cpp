@@ -39,8 +39,8 @@ std::vector<int> loadedRows(const Matrix& loads) {
 }  // namespace
 
 MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-                           const TraceLayout& layout, const BodyOperators& operators,
-                           const substructure::SolverOptions& options)
+                           const TraceLayout& layout, const EliminatedBoundaries& eliminated,
+                           const BodyOperators& operators, const substructure::SolverOptions& options)
     : layout_(layout) {
   buildModes(assembly, searchDirection);
   const int dimension = layout.dimension();
@@ -100,14 +100,14 @@ MacroProblem::MacroProblem(const assembly::Assembly& assembly, const assembly::S
     factor(false);
     return;
   } catch (const MacroFactor::NotPositiveDefinite& failure) {
-    const SoftestMotion softest(assembly, modes_, firstMode_, failure, layout.comm());
+    const SoftestMotion softest(assembly, eliminated, modes_, firstMode_, failure);
     if (!softest.isHeld()) softest.refuse();
   }
   // What round-off makes of it costs iterations; where they end does not depend on it.
   try {
     factor(true);
   } catch (const MacroFactor::NotPositiveDefinite& failure) {
-    SoftestMotion(assembly, modes_, firstMode_, failure, layout.comm()).refuse();
+    SoftestMotion(assembly, eliminated, modes_, firstMode_, failure).refuse();
   }
 }
 

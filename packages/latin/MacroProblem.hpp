@@ -5,6 +5,7 @@
 
 #include <harmos/base/Matrix.hpp>
 #include <harmos/latin/BodyOperators.hpp>
+#include <harmos/latin/EliminatedBoundaries.hpp>
 #include <harmos/latin/TraceLayout.hpp>
 
 namespace harmos::latin {
@@ -25,7 +26,8 @@ class MacroProblem {
  public:
   /// Collective. `layout` must outlive it. Throws base::Error (no equilibrium) naming the bodies that nothing holds.
   MacroProblem(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
-               const TraceLayout& layout, const BodyOperators& operators, const substructure::SolverOptions& options);
+               const TraceLayout& layout, const EliminatedBoundaries& eliminated, const BodyOperators& operators,
+               const substructure::SolverOptions& options);
 
   /// Frees the factor.
   ~MacroProblem();

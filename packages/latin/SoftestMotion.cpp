@@ -1,13 +1,17 @@
 #include <harmos/latin/detail/SoftestMotion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
-#include <harmos/latin/ResistedMotions.hpp>
-#include <harmos/latin/detail/RigidParts.hpp>
+#include <harmos/latin/detail/BodyGroups.hpp>
+#include <harmos/latin/detail/FixedPlaces.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -18,6 +22,25 @@ constexpr std::size_t mostNames = 4;
 // Share in the floating motion from which on the parts of an interface are named.
 constexpr double takesPart = 1e-3;
 
+/// Where two bodies, or one and the ground (-1), are held together in all directions: where interfaces have a search
+/// direction, or their boundaries are eliminated and bear every traction.
+std::map<std::pair<int, int>, std::vector<base::Vector3>> placesBetween(const assembly::Assembly& assembly,
+                                                                        const EliminatedBoundaries& eliminated) {
+  std::map<std::pair<int, int>, std::vector<base::Vector3>> places;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    if (interface.law->prescribesTraction()) continue;
+    const auto borne = interface.law->admissibleTractions(0);
+    if (eliminated.contains(static_cast<int>(i)) && !(borne && borne->isAny())) continue;
+    const int other = interface.sides() == 1 ? -1 : interface.body2;
+    for (int p = 0; p < interface.pairs(); ++p) {
+      places[std::minmax(interface.body1, other)].push_back(
+          interface.trace1.at(p, assembly.bodies[interface.body1].nodes));
+    }
+  }
+  return places;
+}
+
 std::string roughly(double eigenvalue) {
   std::ostringstream text;
   text << std::setprecision(3) << eigenvalue;
@@ -26,9 +49,9 @@ std::string roughly(double eigenvalue) {
 
 }  // namespace
 
-SoftestMotion::SoftestMotion(const assembly::Assembly& assembly, const std::vector<base::Matrix>& modes,
-                             const std::vector<int>& firstMode, const MacroFactor::NotPositiveDefinite& failure,
-                             const Teuchos::Comm<int>& comm)
+SoftestMotion::SoftestMotion(const assembly::Assembly& assembly, const EliminatedBoundaries& eliminated,
+                             const std::vector<base::Matrix>& modes, const std::vector<int>& firstMode,
+                             const MacroFactor::NotPositiveDefinite& failure)
     : assembly_(assembly), eigenvalue_(failure.eigenvalue), isIndefinite_(failure.eigenvalue < -roundOff) {
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     for (int m = 0; m < modes[i].numCols(); ++m) {
@@ -36,9 +59,12 @@ SoftestMotion::SoftestMotion(const assembly::Assembly& assembly, const std::vect
       for (int side = 0; side < 2; ++side) moving_.insert(assembly.interfaces[i].body(side));
     }
   }
-  const RigidParts parts(assembly, resistedMotions(assembly, comm), 0, RigidParts::Unknown::carriesNothing);
+  BodyGroups groups(assembly.bodies.size());
+  for (const auto& [bodies, places] : placesBetween(assembly, eliminated)) {
+    if (areFixed(places, assembly.dimension)) groups.join(bodies.first, bodies.second);
+  }
   for (const int body : moving_) {
-    if (parts.rigidBodyOf(body) >= 0) loose_.insert(body);
+    if (groups.rootOf(body) != groups.rootOf(-1)) loose_.insert(body);
   }
 }
 

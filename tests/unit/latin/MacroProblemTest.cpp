@@ -7,6 +7,7 @@
 
 #include "BoxAssembly.hpp"
 #include "Chains.hpp"
+#include "Faces.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -93,8 +94,9 @@ TEST(MacroProblem, NamesWhatFloats) {
   }
 }
 
-/// So many bodies, 40 times as long as thick, glued to each other one above the other; the lowest is held, or not.
-BoxAssembly mast(int bodies, bool isHeld) {
+/// So many bodies, 40 times as long as thick, glued to each other one above the other, the last one by `last`; the
+/// lowest is held, or not.
+BoxAssembly mast(int bodies, bool isHeld, const std::string& last = "Perfect") {
   std::vector<mesh::Box> boxes;
   for (int i = 0; i < bodies; ++i)
     boxes.push_back({std::to_string(i), {0, 0, 40.0 * i}, {1, 1, 40.0 * (i + 1)}, {1, 1, 40}});
@@ -102,7 +104,7 @@ BoxAssembly mast(int bodies, bool isHeld) {
   if (isHeld) mast.hold("bottom", "0_zmin", clamp());
   for (int i = 1; i < bodies; ++i) {
     mast.join("joint " + std::to_string(i), std::to_string(i - 1) + "_zmax", std::to_string(i) + "_zmin",
-              laws::makeLaw("Perfect"));
+              laws::makeLaw(i + 1 < bodies ? "Perfect" : last));
   }
   mast.hold("top", std::to_string(bodies - 1) + "_zmax", laws::makeLaw("Prescribed Traction", {{"X", 1.0}}));
   return mast;
@@ -113,15 +115,27 @@ TEST(MacroProblem, HoldsALongChain) {
   BoxAssembly held = mast(170, true);
   base::Timers timers;
   EXPECT_GT(FixedPoint(held.assembly(), {}, self(), timers).linearStage().softness(), 1e13);
-  BoxAssembly loose = mast(170, false);
-  try {
-    const FixedPoint fixedPoint(loose.assembly(), {}, self(), timers);
-    FAIL();
-  } catch (const base::Error& error) {
-    const std::string message = error.what();
-    EXPECT_NE(message.find("nothing holds part(s)"), std::string::npos) << message;
-    EXPECT_NE(message.find(" more: "), std::string::npos) << message;
+  for (const char* last : {"Perfect", "Unilateral Contact"}) {
+    BoxAssembly loose = mast(170, false, last);
+    try {
+      const FixedPoint fixedPoint(loose.assembly(), {}, self(), timers);
+      FAIL();
+    } catch (const base::Error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("nothing holds part(s)"), std::string::npos) << message;
+      EXPECT_NE(message.find(" more: "), std::string::npos) << message;
+    }
   }
+}
+
+// Its macro problem is as regular whatever the laws of its joints.
+TEST(MacroProblem, HoldsALongChainThatAContactOrAPointHolds) {
+  base::Timers timers;
+  BoxAssembly touching = mast(170, true, "Unilateral Contact");
+  EXPECT_GT(FixedPoint(touching.assembly(), {}, self(), timers).linearStage().softness(), 1e13);
+  BoxAssembly inAPoint = mast(170, false);
+  holdFace(inAPoint, {"0_zmin"}, laws::makeLaw("Remote Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+  EXPECT_GT(FixedPoint(inAPoint.assembly(), {}, self(), timers).linearStage().softness(), 1e13);
 }
 
 // A body between two interfaces that touches nothing else, and a scene whose interfaces all are boundaries.
