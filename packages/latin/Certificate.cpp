@@ -53,7 +53,7 @@ constexpr double thrownSize = 1e4;
 /// balance the loads to `accuracy` without anything added for the digits that k w takes from them.
 bool isHeldThere(const Iterate& iterate, double accuracy) {
   return largestImbalance(iterate, {}, shareOfForces).relative <= accuracy &&
-         UnheldParts(iterate, nullptr).remarks().empty();
+         UnheldParts(iterate, nullptr, {}).remarks().empty();
 }
 
 /// An iterate has thrown a body so far away that forces are lost beside k w and everything is small beside its way. The

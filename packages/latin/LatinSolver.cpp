@@ -149,7 +149,7 @@ bool LatinSolver::standsRoundOff(const Iterate* iterate, bool isClaimed, LatinRe
 
 bool LatinSolver::bringBack(const Iterate& iterate, double& tolerance) {
   if (assembly_.path || assembly_.isAffine()) return false;
-  const UnheldParts unheld(iterate, &*balance_);
+  const UnheldParts unheld(iterate, &*balance_, responses_);
   unheldParts_ = unheld.remarks();
   if (unheld.firstLoaded() < 0) return false;
   tolerance = std::min(tolerance, marchShare * options_.accuracy * unheld.leastLoad());
@@ -385,7 +385,7 @@ void LatinSolver::deliver(LatinResult& result) {
   addResponses(*state_, responses_, estimates_, result);
   if (result.outcome == Outcome::certified) {
     const auto running = timers_.start("statics");
-    if (!unheldParts_) unheldParts_ = UnheldParts(*state_, &*balance_).remarks();
+    if (!unheldParts_) unheldParts_ = UnheldParts(*state_, &*balance_, responses_).remarks();
     result.remarks.insert(result.remarks.begin(), unheldParts_->begin(), unheldParts_->end());
     Indeterminacy found = fixedPoint_.indeterminacy(responses_, options_.accuracy);
     lookForOthers(result, found);

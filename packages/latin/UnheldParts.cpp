@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -19,6 +20,8 @@ namespace {
 constexpr double takesPart = 1e-3;
 // Rigid bodies that a remark names.
 constexpr std::size_t mostNames = 4;
+// Of the largest change that a motion may make of a response, what is none.
+constexpr double noChange = 1e-6;
 // Tractions, over the largest of all load steps, that are none.
 constexpr double noTraction = 1e-12;
 
@@ -161,9 +164,32 @@ FreeParts partsOf(const RigidParts& parts, const std::vector<statics::Motion>& m
   return result;
 }
 
+/// Names of the responses that change along a motion of the rigid bodies: they are not determined, either.
+std::set<std::string> changedBy(const std::vector<statics::Motion>& motion, const RigidParts& parts,
+                                const assembly::Assembly& assembly,
+                                const std::vector<std::shared_ptr<const Response>>& responses) {
+  std::set<std::string> names;
+  for (const auto& response : responses) {
+    const auto gradient = response->gradient(assembly);
+    if (!gradient) continue;
+    double change = 0.0, most = 0.0;
+    for (const ResponseGradient::NodeShare& share : gradient->nodes) {
+      const int rigid = parts.rigidBodyOf(share.body);
+      if (rigid < 0) continue;
+      const base::Vector3 way = statics::displacementOf(parts.rigid().bodies[rigid], motion[rigid],
+                                                        assembly.bodies[share.body].nodes[share.node]);
+      change += base::dot(share.weight, way);
+      most += base::norm(share.weight) * std::max(base::norm(way), takesPart);
+    }
+    if (std::abs(change) > noChange * most) names.insert(base::quoted(response->name()));
+  }
+  return names;
+}
+
 /// What is known of parts that move together.
 struct Finding {
   std::vector<int> steps;
+  std::set<std::string> responses;
   std::string motions;  // of the last of them
   bool areRubbed = false;
 
@@ -177,7 +203,8 @@ struct Finding {
 
 }  // namespace
 
-UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
+UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance,
+                         const std::vector<std::shared_ptr<const Response>>& responses) {
   const assembly::Assembly& assembly = state.assembly();
   std::map<std::string, Finding> findings;
   std::vector<double> largest;
@@ -198,6 +225,7 @@ UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
     for (const auto& motion : statics::findFreeMotions(rigid, holdsOf(rigid, states, nothing))) {
       const FreeParts free = partsOf(parts, motion);
       findings[free.names].add(t, free);
+      findings[free.names].responses.merge(changedBy(motion, parts, assembly, responses));
       if (balance == nullptr) continue;
       // Friction that slides may carry loads along a way that it leaves free.
       const double load = balance->loadAlong(t, parts, motion, workOfJoints(assembly, t, rigid, states, motion));
@@ -207,9 +235,12 @@ UnheldParts::UnheldParts(const Iterate& state, const LoadBalance* balance) {
     }
   }
   for (const auto& [names, finding] : findings) {
+    const std::vector<std::string> affected(finding.responses.begin(), finding.responses.end());
     const bool isKept = finding.areRubbed && finding.steps.front() + 1 < assembly.steps();
     remarks_.push_back("nothing holds " + names + " at " + nameSteps(finding.steps) + ": free " + finding.motions +
-                       "; the problem does not determine the place along there, only the forces" +
+                       "; the problem does not determine the place along there, " +
+                       (affected.empty() ? "" : "nor " + base::joinNames(affected, mostNames) + ", ") +
+                       "only the forces" +
                        (isKept ? ", nor what friction makes of that place at later load steps" : ""));
   }
 }

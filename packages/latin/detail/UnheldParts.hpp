@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <harmos/latin/Iterate.hpp>
 #include <harmos/latin/LoadBalance.hpp>
+#include <harmos/latin/Response.hpp>
 
 namespace harmos::latin {
 
@@ -19,10 +21,12 @@ namespace harmos::latin {
 class UnheldParts {
  public:
   /// Collective. Of all load steps, which must be selected. `balance`: of the same assembly; null: loads are not asked
-  /// for. Nothing is kept.
-  UnheldParts(const Iterate& state, const LoadBalance* balance);
+  /// for. `responses`: which to look at, not all of which tell how they change with displacements. Nothing is kept.
+  UnheldParts(const Iterate& state, const LoadBalance* balance,
+              const std::vector<std::shared_ptr<const Response>>& responses);
 
-  /// One sentence for every set of them: parts, load steps and the rigid motions that no interface resists.
+  /// One sentence for every set of them: parts, load steps, the rigid motions that nothing resists and the responses
+  /// that change along these.
   const std::vector<std::string>& remarks() const { return remarks_; }
   /// Their loads along these motions, over the largest load of all load steps [-], the least of those that are more
   /// than round-off: such a state is no equilibrium, however small its residual. 1: they are not loaded.

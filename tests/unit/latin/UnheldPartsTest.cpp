@@ -54,6 +54,23 @@ TEST(UnheldParts, AreNoneOnRollers) {
   EXPECT_TRUE(remarksOn(cubes).empty());
 }
 
+// Where a part is decides of displacements along there, and of no others.
+TEST(UnheldParts, LeaveResponsesAlongTheirWayOpen) {
+  base::Timers timers;
+  BoxAssembly cubes = twoCubes(laws::makeLaw("Unilateral Contact"), push(0.0, -2.0));
+  LatinSolver solver(cubes.assembly(), {}, self(), timers);
+  const auto last = static_cast<int>(cubes.assembly().bodies[1].nodes.size()) - 1;
+  for (const auto& [name, body, direction] : std::vector<std::tuple<std::string, int, base::Vector3>>{
+           {"pressed", 1, {0.0, 0.0, 1.0}}, {"slid", 1, {1.0, 0.0, 0.0}}, {"held", 0, {1.0, 0.0, 0.0}}}) {
+    solver.addResponse(std::make_shared<DisplacementResponse>(
+        name, std::vector<DisplacementResponse::Node>{{body, last, 1.0}}, direction));
+  }
+  const LatinResult result = solver.solve();
+  ASSERT_EQ(result.remarks.size(), 1U);
+  EXPECT_NE(result.remarks[0].find("along there, nor \"slid\", only the forces"), std::string::npos)
+      << result.remarks[0];
+}
+
 // What is eliminated at the foot of a chain does not hold it in the macro problem.
 TEST(UnheldParts, OfAChainOnRollersCanSlide) {
   BoxAssembly chain({{"a", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}},
