@@ -1,6 +1,7 @@
 #include <harmos/latin/detail/RigidParts.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <harmos/base/Names.hpp>
@@ -64,7 +65,9 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
     if (interface.law->prescribesTraction() || interface.pairs() == 0 || faces.contains(i)) continue;
     const auto tractions = interface.law->admissibleTractions(step);
     if (!tractions && unknown == Unknown::carriesNothing) continue;
-    Connection connection{i, tractions.value_or(laws::AdmissibleTractions{}), {}};
+    const std::array<bool, 3> nothing = interface.law->givesNothing();
+    const auto most = laws::AdmissibleTractions::components(!nothing[0], !nothing[1], !nothing[2]);
+    Connection connection{i, tractions.value_or(most), {}};
     for (int side = 0; side < interface.sides(); ++side) {
       connection.places[side] = placesOf(assembly, interface, side);
     }

@@ -88,6 +88,8 @@ FormulaGraph::FormulaGraph(const input::Parameters& parameters) {
   errors.throwIfAny();
   isUncoupled_ = true;
   for (std::size_t c = 0; c < 3; ++c) {
+    const input::Formula& formula = tractions_[c].formula;
+    areZero_[c] = formula.variables().empty() && formula.evaluate(std::vector<double>(names_.size(), 0.0)) == 0.0;
     for (std::size_t other = 0; other < 3; ++other) {
       if (other != c && tractions_[c].hasJump[other]) isUncoupled_ = false;
     }

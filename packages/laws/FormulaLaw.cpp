@@ -52,6 +52,7 @@ class FormulaLaw final : public InterfaceLaw, public FieldFollower {
   bool prescribesTraction() const override { return false; }
   bool dissipates() const override { return dissipates_; }
   double lowestSlope() const override { return lowestSlope_; }
+  std::array<bool, 3> givesNothing() const override { return graph_->areZero(); }
   std::vector<OutputField> outputs() const override { return graph_->outputs(); }
   void output(const PairStep& step, double* values) const override { std::copy_n(step.history, historySize(), values); }
 

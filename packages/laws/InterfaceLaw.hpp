@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -86,6 +87,8 @@ class InterfaceLaw {
   /// better the farther it is pushed: t.delta does not fall. Where these alone balance the loads, there is an
   /// equilibrium.
   virtual std::optional<AdmissibleTractions> admissibleTractions(int /*step*/) const { return std::nullopt; }
+  /// The components, in the law's frame, in which it never gives a traction, where admissibleTractions() does not say.
+  virtual std::array<bool, 3> givesNothing() const { return {}; }
   /// What friction bears [stress] of a pair that sticks, along the shear of this traction [stress], in the law's frame,
   /// and under its pressure; nothing of laws without friction, or that do not say. Otherwise that of
   /// admissibleTractions(), if all directions bear the same.

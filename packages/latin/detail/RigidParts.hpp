@@ -17,7 +17,8 @@ namespace harmos::latin {
 /// whole face says what it bears of the resultant, couplings.
 class RigidParts {
  public:
-  /// Whether laws that do not know what they can carry count as if they could carry everything, or nothing.
+  /// Whether laws that do not know what they can carry count as if they could carry everything, but in components in
+  /// which they give nothing, or nothing.
   enum class Unknown { carriesAll, carriesNothing };
 
   /// The assembly must outlive it. `resisted` is that of resistedMotions(), `step` counted from 0. Not collective:

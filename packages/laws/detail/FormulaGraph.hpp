@@ -28,6 +28,9 @@ class FormulaGraph {
   /// Whether every component of the traction follows from the same component of the jump alone.
   bool isUncoupled() const { return isUncoupled_; }
 
+  /// Which components of the traction, n, t1, t2, are the number 0.
+  const std::array<bool, 3>& areZero() const { return areZero_; }
+
   /// Names of the fields that formulas may use, in the order of the input.
   const std::vector<std::string>& fields() const { return fields_; }
 
@@ -64,6 +67,7 @@ class FormulaGraph {
   std::vector<Expression> tractions_;  // n, t1, t2
   std::vector<double> now_;            // histories at the end of the load step, as far as they are known
   bool isUncoupled_ = false;
+  std::array<bool, 3> areZero_{};
 };
 
 }  // namespace harmos::laws

@@ -282,6 +282,21 @@ TEST(LoadBalance, ClaimsNothingOfLawsThatAreSilent) {
   EXPECT_FALSE(silent.hasForces);
 }
 
+// A formula does not say what it can carry, but where it is 0 that it carries nothing.
+TEST(LoadBalance, KnowsWhereAFormulaGivesNothing) {
+  const auto springs = [](const std::string& along) {
+    input::Parameters law("law");
+    law.set("Type", std::string("Formula")).set("Normal Traction", std::string("100 * jump_n"));
+    law.set("Tangential Traction 1", along).set("Tangential Traction 2", along);
+    law.set("Lowest Slope", 0.0).set("Dissipates", false);
+    return Law(laws::builtInLaws().create(law));
+  };
+  EXPECT_EQ(answers(springs("0"), push(0.0, 1.0)).contradiction, "");
+  const std::string slides = answers(springs("0"), push(1.0, 1.0)).contradiction;
+  EXPECT_NE(slides.find("along (1, 0, 0), sliding along"), std::string::npos) << slides;
+  EXPECT_EQ(answers(springs("0 * jump_1"), push(1.0, 1.0)).contradiction, "");
+}
+
 // Tipping: the pressure on the top beside the base of a cube that leans over by more than its width.
 TEST(LoadBalance, KnowsWhatTipsOver) {
   for (const double lean : {0.4, 1.6}) {
