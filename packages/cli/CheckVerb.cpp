@@ -152,7 +152,11 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   if (study && study->isChaos()) options.stages.solver.allowsSingle = false;  // nothing marches
   scene::CostEstimate cost =
       scene::estimateCost(problem, options, scene::FactorSizes::fromOrder, *environment.communicator);
-  if (!scene.wantsMeshErrors) cost.meshErrorSeconds = 0.0;
+  if (scene.wantsMeshErrors) {
+    cost.processBytes += cost.meshErrorBytes;
+  } else {
+    cost.meshErrorSeconds = 0.0;
+  }
   if (!scene.output.fields) cost.fileSeconds = 0.0;
   if (!study) cost.addDerivatives(static_cast<int>(scene.output.derivatives.size()));
   study::StudyCost ofStudy;

@@ -24,7 +24,39 @@ std::vector<base::Vector3> placesOf(const assembly::Assembly& assembly, const as
   return placesOfForces(interface, std::move(places));
 }
 
+/// What reading the tractions of these interfaces takes.
+ResponseWork workOf(const assembly::Assembly& assembly, const std::vector<int>& interfaces) {
+  ResponseWork work;
+  for (const int i : interfaces) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    (interface.sides() == 1 ? work.nodes : work.pairs) += interface.pairs();
+  }
+  return work;
+}
+
 }  // namespace
+
+ResponseWork& ResponseWork::operator+=(const ResponseWork& other) {
+  nodes += other.nodes;
+  pairs += other.pairs;
+  recovered += other.recovered;
+  together = std::max(together, other.together);
+  return *this;
+}
+
+ResponseWork DisplacementResponse::work(const assembly::Assembly& /*assembly*/) const {
+  ResponseWork work;
+  work.nodes = static_cast<double>(nodes_.size());
+  return work;
+}
+
+ResponseWork ResultantResponse::work(const assembly::Assembly& assembly) const {
+  return workOf(assembly, interfaces_);
+}
+
+ResponseWork PairResponse::work(const assembly::Assembly& assembly) const {
+  return workOf(assembly, interfaces_);
+}
 
 std::vector<double> DisplacementResponse::evaluate(const Iterate& state) const {
   std::vector<double> values(state.assembly().steps(), 0.0);

@@ -32,6 +32,17 @@ struct ResponseGradient {
   std::vector<PairShare> pairs;  ///< the same
 };
 
+/// What the time of an evaluation goes with, at one load step.
+struct ResponseWork {
+  double nodes = 0.0;  ///< displacements that are read, and tractions of boundaries, which may be reactions
+  double pairs = 0.0;  ///< of interfaces between two bodies, that are read
+  /// Nodes at which stress is recovered from linear elements, or as many as take this time; and of these the most that
+  /// are at once.
+  double recovered = 0.0, together = 0.0;
+
+  ResponseWork& operator+=(const ResponseWork& other);
+};
+
 /// A number per load step that the user asks for, read from the fields of an iteration. Its error is estimated and
 /// certified by name.
 ///
@@ -51,6 +62,8 @@ class Response {
   void setScale(double scale) { scale_ = scale; }
   /// One value per load step. Collective: the same values on every rank. All load steps must be selected.
   virtual std::vector<double> evaluate(const Iterate& state) const = 0;
+  /// What its evaluation takes; nothing worth counting, where it is not said.
+  virtual ResponseWork work(const assembly::Assembly& /*assembly*/) const { return {}; }
   /// Whether it is linear in the fields of the linear stage and in the prescribed tractions.
   virtual bool isLinear() const { return true; }
   /// Its derivative, the same at all load steps; nothing where it is not linear in displacements and tractions.
@@ -96,6 +109,7 @@ class DisplacementResponse : public Response {
   /// As it was given.
   const base::Vector3& direction() const { return direction_; }
   std::vector<double> evaluate(const Iterate& state) const override;
+  ResponseWork work(const assembly::Assembly& assembly) const override;
   std::optional<ResponseGradient> gradient(const assembly::Assembly& assembly) const override;
 
  private:
@@ -116,6 +130,7 @@ class ResultantResponse : public Response {
         direction_(std::move(direction)),
         centre_(std::move(centre)) {}
   std::vector<double> evaluate(const Iterate& state) const override;
+  ResponseWork work(const assembly::Assembly& assembly) const override;
   std::optional<ResponseGradient> gradient(const assembly::Assembly& assembly) const override;
   base::Vector3 slope(const assembly::Assembly& assembly, const At& at) const override;
 
@@ -134,6 +149,7 @@ class PairResponse : public Response {
   PairResponse(std::string name, Quantity quantity, std::vector<int> interfaces)
       : Response(std::move(name), quantity), interfaces_(std::move(interfaces)) {}
   std::vector<double> evaluate(const Iterate& state) const final;
+  ResponseWork work(const assembly::Assembly& assembly) const final;
   bool isLinear() const final { return false; }
   /// On which the number depends.
   const std::vector<int>& interfaces() const { return interfaces_; }

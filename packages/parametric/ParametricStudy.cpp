@@ -36,9 +36,12 @@ void ParametricStudy::run(const std::vector<design::Configuration>& open, result
   for (const design::Configuration& configuration : open) solver_.widen(configuration.values);
   const latin::LatinOptions& options = solver_.options();
   const std::size_t all = open.size() + static_cast<std::size_t>(solvedEarlier_ + solver_.states().count());
-  const bool isCertified = all < fewConfigurations || options.stages.formulation == latin::Formulation::velocity ||
-                           options.algorithm != latin::Algorithm::accelerated;
-  certified_.run(isCertified ? open : calibrated_.run(open, sink), sink);
+  certified_.run(certifiesEach(options, all) ? open : calibrated_.run(open, sink), sink);
+}
+
+bool certifiesEach(const latin::LatinOptions& options, std::size_t configurations) {
+  return configurations < fewConfigurations || options.stages.formulation == latin::Formulation::velocity ||
+         options.algorithm != latin::Algorithm::accelerated;
 }
 
 latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations, int steps) {

@@ -49,6 +49,10 @@ class ParametricStudy {
   CertifiedSchedule certified_;
 };
 
+/// Whether each of so many configurations gets a certificate of its own, by CertifiedSchedule; the others march from
+/// their neighbours, by CalibratedSchedule.
+bool certifiesEach(const latin::LatinOptions& options, std::size_t configurations);
+
 /// `options` for a study of so many configurations with so many load steps: how many solves are expected, which decide
 /// whether operators that solve single load steps faster pay.
 latin::LatinOptions optionsForStudy(latin::LatinOptions options, std::size_t configurations, int steps);

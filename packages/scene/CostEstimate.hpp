@@ -31,22 +31,37 @@ struct CostEstimate {
   double stageSeconds = 0.0;           // one linear stage with what belongs to it: all load steps
   double readSeconds = 0.0;            // of that, reading factors, in single precision wherever that is allowed
   double stages = 0.0;                 // linear stages of a run, as scenes with such laws and joints mostly take
+  double otherStages = 0.0;            // of these, those that look for other solutions
+  double certificateStages = 0.0;      // of these, those of a certificate
+  double togetherSeconds = 0.0;        // one of these, for all load steps at once
   double correctionSeconds = 0.0;      // least squares over differences of the march and directions of the certificate
   double wholeSeconds = 0.0;           // the displacements of whole parts at all load steps, once
   double lookSeconds = 0.0;            // the same of loaded and held parts, where stages solve for dense traces only
   double stencilBytes = 0.0;           // of what reactions are taken from instead
+  double boundarySeconds = 0.0;        // fields of boundaries at all load steps, once
+  double responseSeconds = 0.0;        // values of all responses at all load steps, once
+  double loadSeconds = 0.0;            // what other loads of all load steps take before anything is solved
+  double responses = 0.0;              // how many there are
   int factored = 0;                    // operators
   int dense = 0;                       // of these with a dense trace
   int inverted = 0;                    // and with its inverse
   double meshErrorSeconds = 0.0;       // its estimate
+  double meshErrorBytes = 0.0;         // fields of the responses for it, beyond processBytes
   double fileSeconds = 0.0;            // fields of parts and interfaces
+  double directionsOfStep = 0.0;       // that a derivative of a load step is sought in
   double derivativeBytes = 0.0;        // see addDerivatives()
   double derivativeSeconds = 0.0;      // the same
 
+  /// How often a run asks for all responses: of the states that its certificate compares, and of its solution.
+  static constexpr double evaluations = 5.0;
+
   /// A whole run [s].
   double seconds() const {
-    return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + resultSeconds() + derivativeSeconds;
+    return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + evaluations * evaluationSeconds() +
+           resultSeconds() + derivativeSeconds;
   }
+  /// What all numbers that a state is judged by take, once [s].
+  double evaluationSeconds() const { return boundarySeconds + responseSeconds; }
   /// What follows the solution [s], but derivatives.
   double resultSeconds() const { return meshErrorSeconds + fileSeconds; }
   /// Counts derivatives of the responses by so many parameters, once.
@@ -54,7 +69,11 @@ struct CostEstimate {
   /// Least squares [s] of so many iterations over the differences of the last ones, at most `memory`.
   double accelerationSeconds(double iterations, double memory) const;
   /// The solution alone [s], once all is factored.
-  double solveSeconds() const { return staticsSeconds + stages * stageSeconds + correctionSeconds; }
+  double solveSeconds() const { return staticsSeconds + stagesSeconds() + correctionSeconds; }
+  /// All linear stages of a run [s].
+  double stagesSeconds() const {
+    return (stages - certificateStages) * stageSeconds + certificateStages * togetherSeconds;
+  }
 };
 
 }  // namespace harmos::scene

@@ -37,30 +37,42 @@ constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, re
 // what the macro problem multiplies one column with. Of least squares, per component of an interface side, load step
 // and pair of directions of the certificate, or of differences of a march. Of the error of the mesh, per unknown; of
 // how tractions may be shared, per group of nodes and load step; of files, per unknown, and per unknown and load step.
-// Of what tractions can share around rings of interfaces, per ring; of loads, per loaded unknown and load step.
+// Of what tractions can share around rings of interfaces, per ring; of loads, per loaded unknown and load step; of a
+// product with a stiffness, per entry and column. Of responses, per load step: for each node and for each pair that
+// they read, and for each node at which stress is recovered, there once more for every window of load steps that is
+// looked at together.
 constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2.5e-8, factoredUnknownSeconds = 5.5e-6,
                  readEntrySeconds = 2.2e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
                  reactionSeconds = 7e-10, correctionSeconds = 5e-9, differenceSeconds = 4e-9,
-                 recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds[] = {1e-4, 9e-4},
-                 fileSeconds = 1e-6, stepFileSeconds = 1.8e-7, ringSeconds = 5e-4, loadSeconds = 4e-8;
+                 recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds[] = {1e-4, 5e-4},
+                 fileSeconds = 1e-6, stepFileSeconds = 1.8e-7, ringSeconds = 5e-4, loadSeconds = 4e-8,
+                 productSeconds = 1e-9, nodeSeconds = 6e-8, pairSeconds = 2.2e-8, recoveredSeconds = 3e-7,
+                 recoverySeconds = 5.5e-6;
+// A solve of all load steps together takes less of a column than one of the usual number of them, down to the share of
+// one among many. Of the error of the mesh in a linear response, per unknown: seconds and bytes.
+constexpr double errorSeconds = 1.5e-7, errorBytes = 35.0;
+// Bytes of a node and load step while stress is recovered: samples in its elements, and what is made of them.
+constexpr double recoveredBytes = 300.0;
 // Of operators that are solved iteratively: bytes per entry at the peak, with the preconditioner; iterations of a
 // column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
 constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
                  iterationSeconds = 6e-9, entriesOfRow[] = {18.0, 75.0};
-// Of derivatives: directions that the first parameter adds at a load step, how they grow with the parameters, which
-// share them, and how many are there at most, of the load step and of earlier ones; states that are kept for each of
-// them, and for each parameter and load step; what solving for one takes, in double precision and beside nothing that
-// shares the reading, over its share of a linear stage; and seconds of what makes them orthogonal, per component of an
-// interface side and pair of directions.
-constexpr double directionsOfDerivative = 25.0, growthWithParameters = 0.6, mostOfStep = 60.0,
-                 mostOfEarlierSteps = 60.0, statesOfDirection = 3.3, statesOfDerivative = 2.0, stagesOfDirection = 5.3,
-                 directionSeconds = 9e-9;
+// Of derivatives, which are solved for to 1e-9: directions that the first parameter adds at a load step, over the
+// linear stages of a certificate at 1e-3, where contacts have tangents of their own at every load step and where all
+// laws are affine; how they grow with the parameters, which share them; and how many of earlier load steps are kept.
+// States that are kept for each of them, and for each parameter and load step; what solving for one takes over its
+// share of a linear stage; and seconds of what makes them orthogonal, per component of an interface side and pair of
+// directions.
+constexpr double directionsOfContact = 6.0, directionsOfAffine = 1.5, growthWithParameters = 0.6,
+                 mostOfEarlierSteps = 60.0, statesOfDirection = 3.3, statesOfDerivative = 2.0, stagesOfDirection = 1.4,
+                 directionSeconds = 3e-9;
 // Columns of the macro problem for an interface of a body, in the plane and in space: its motions as a rigid body.
 constexpr double motionsOfInterface[] = {3.0, 6.0};
-// Linear stages at an accuracy of 1e-3, how many more a decade takes, and how those of the march fall where there are
-// more load steps than usual, which are shorter then.
-constexpr double usualSteps = 11.0, growthWithSteps = -0.25, stagesPerDecade = 5.0, usualAccuracy = 1e-3;
+// Linear stages at an accuracy of 1e-3, by which share of them they grow with every decade, since what slowly converges
+// to 1e-3 slowly goes on, and how those of the march fall where there are more load steps than usual, which are shorter
+// then.
+constexpr double usualSteps = 11.0, growthWithSteps = -0.25, growthPerDecade = 0.2, usualAccuracy = 1e-3;
 // Where all laws are affine, for the root of the points along an interface, over which stiffnesses of long and of short
 // waves differ; of these, what the certificate takes; how they fall with the load steps, which go straight on. Where
 // nothing is left to iterate on.
@@ -85,27 +97,30 @@ constexpr double plainEntryBytes = 24.0, plainSlowness = 18.0;
 /// Linear stages that a run is expected to take.
 struct Stages {
   double march = directStages, certificate = 0.0, others = 0.0;
+  double directions = 0.0;  // of a derivative, at a load step
   double all() const { return march + certificate + others; }
 };
 
 Stages stagesOf(const CostScope& scope, const latin::LatinOptions& solver) {
   Stages stages;
   const double height = scope.joints.height,
-               further = 0.5 * stagesPerDecade * std::log10(usualAccuracy / solver.accuracy);
+               further = std::max(0.5, 1.0 + growthPerDecade * std::log10(usualAccuracy / solver.accuracy));
   if (scope.isAffine) {
-    const double first = std::max(1.0, affineMarch * std::sqrt(scope.joints.points) + further);
+    const double first = std::max(1.0, further * affineMarch * std::sqrt(scope.joints.points));
     stages.march = std::max(1.0, first * std::pow(scope.steps, affineGrowth));
     stages.certificate = affineCertificate * first;
+    stages.directions = directionsOfAffine * stages.certificate / further;
     return stages;
   }
   const double pieces = 1.0 + growthWithPieces * std::log2(scope.pieces);
-  const double march = std::max(1.0, pieces * std::max(leastStages, marchOfJoint * height) + further);
+  const double march = std::max(1.0, further * pieces * std::max(leastStages, marchOfJoint * height));
   stages.march =
       solver.stages.formulation == latin::Formulation::velocity
           ? std::min<double>(solver.maximumIterations, march * std::max(1.0, stagesOfVelocities * scope.steps))
           : march * std::min(1.0, std::pow(scope.steps / usualSteps, growthWithSteps));
   stages.certificate = std::max(
-      1.0, pieces * std::max(leastStages, certificateOfJoints[scope.dimension - 2] * height * height) + further);
+      1.0, further * pieces * std::max(leastStages, certificateOfJoints[scope.dimension - 2] * height * height));
+  stages.directions = directionsOfContact * stages.certificate / further;
   if (scope.joints.sharedNodes > 0.0) stages.others = ways * marchesOfWay[scope.dimension - 2] * stages.march;
   return stages;
 }
@@ -201,9 +216,9 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 }
 
 void CostEstimate::addDerivatives(int parameters) {
-  const double growth = std::pow(parameters, growthWithParameters), rows = static_cast<double>(interfaceUnknowns);
-  const double directions = directionsOfDerivative * growth * steps;
-  const double kept = std::min(directions, mostOfStep * growth + mostOfEarlierSteps);
+  const double rows = static_cast<double>(interfaceUnknowns);
+  const double ofStep = directionsOfStep * std::pow(parameters, growthWithParameters), directions = ofStep * steps;
+  const double kept = ofStep + std::min(directions - ofStep, mostOfEarlierSteps);
   derivativeBytes = entryBytes * rows * (statesOfDirection * kept + statesOfDerivative * parameters * steps);
   processBytes += derivativeBytes;
   derivativeSeconds = directions * (stagesOfDirection * stageSeconds / steps + 0.5 * directionSeconds * rows * kept);
@@ -227,6 +242,14 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     sum_[loadReads] += 2.0 * entries;
     sum_[loadedUnknowns] += body.unknowns;
   }
+  if (body.isMoved) {
+    // Where they hold it, what that loads it with, and what it makes of it.
+    sum_[loadFields] += (isDense ? 4.0 : 3.0) * body.unknowns;
+    sum_[movedReads] += 2.0 * entries;
+    sum_[movedEntries] += body.matrixEntries;
+  }
+  if (body.isLoaded) sum_[loadedReads] += 2.0 * entries;
+  if (hasStencil) sum_[stencilLooks] += body.held * body.trace;
   if (body.isAssembled) sum_[body.iteratedEntries > 0.0 ? iteratedMatrix : matrixEntries] += body.matrixEntries;
   sum_[assembledEntries] += body.matrixEntries;
   sum_[reactions] += body.trace * body.interfaces;
@@ -257,6 +280,7 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     }
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * body.interfaces * entries;
   }
+  if (isDense) sum_[denseReads] += 2.0 * entries;
   if (isDense && (body.isLoaded || (body.held > 0.0 && !hasStencil))) sum_[lookReads] += 2.0 * entries;
   // Each entry of a sparse factor is read twice, the triangle of a trace too; that of its inverse once.
   sum_[readEntries] += !isDense ? 2.0 * entries : isInverted ? square / 2.0 : square;
@@ -301,7 +325,7 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
       cost.iteratedBytes + entryBytes * (macro.nonzeros + steps * sum_[loadFields]) + cost.inverseBytes +
       cost.stencilBytes + reactionCopies * entryBytes * motions * sum_[reactions] + cost.fieldBytes +
       entryBytes * scope.unknowns * (fieldsAtOnce * together + fieldsOfOthers * (steps - together)) +
-      bytesPerUnknown * scope.unknowns;
+      recoveredBytes * scope.work.together * together + bytesPerUnknown * scope.unknowns;
 
   cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[assembledEntries];
   const double rings = std::max(0.0, scope.sides / 2.0 - scope.bodies);
@@ -313,7 +337,8 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
       multigridSeconds * sum_[storedIterated] + iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
   cost.factorSeconds +=
       operationSeconds * sum_[inverseOperations] + latin::shareOfSolveAmongMany * readEntrySeconds * sum_[stencilReads];
-  cost.lookSeconds = steps * slowness * readEntrySeconds * sum_[lookReads];
+  cost.lookSeconds =
+      steps * slowness * readEntrySeconds * (scope.work.recovered > 0.0 ? sum_[denseReads] : sum_[lookReads]);
   cost.staticsSeconds =
       scope.statics.seconds(steps) + sharedNodeSeconds[scope.dimension - 2] * scope.joints.sharedNodes * steps;
   cost.readSeconds = steps * slowness * readEntrySeconds * sum_[readEntries];
@@ -322,13 +347,29 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
                                interfaceSeconds * scope.interfaceUnknowns + bodySeconds * scope.bodies +
                                sideSeconds * scope.sides + iterationSeconds * iterationsOfColumn * sum_[readIterated]);
   cost.stages = stages.all();
+  cost.otherStages = stages.others;
+  cost.certificateStages = stages.certificate;
+  const double ofColumn = latin::shareOfSolveAmongMany +
+                          (1.0 - latin::shareOfSolveAmongMany) * std::min(1.0, usualSteps / std::max(1.0, steps));
+  cost.togetherSeconds = cost.stageSeconds - (1.0 - ofColumn) * cost.readSeconds;
+  cost.directionsOfStep = stages.directions;
+  // What loads do by themselves is solved for, twice where boundaries move a body, since the macro problem asks, too.
+  cost.loadSeconds = steps * (slowness * latin::shareOfSolveAmongMany * readEntrySeconds *
+                                  (sum_[loadedReads] + 2.0 * sum_[movedReads]) +
+                              productSeconds * sum_[movedEntries] + loadSeconds * sum_[loadedUnknowns]);
+  cost.boundarySeconds = steps * (2.0 * nodeSeconds * scope.boundaryPairs + operationSeconds * sum_[stencilLooks]);
+  cost.responses = scope.responses;
+  cost.responseSeconds = steps * (nodeSeconds * scope.work.nodes + pairSeconds * scope.work.pairs +
+                                  recoveredSeconds * scope.work.recovered) +
+                         std::ceil(steps / latin::stepsAtOnce) * recoverySeconds * scope.work.recovered;
   cost.wholeSeconds = 2.0 * steps * slowness * readEntrySeconds * sum_[factorEntries];
   cost.correctionSeconds =
       steps * scope.interfaceUnknowns * correctionSeconds * stages.certificate * stages.certificate +
       cost.accelerationSeconds(stages.march, solver.memory) +
       ways * cost.accelerationSeconds(stages.others / ways, solver.memory);
-  const double recoverySeconds = scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane;
-  cost.meshErrorSeconds = scope.unknowns * recoverySeconds;
+  cost.meshErrorSeconds = scope.unknowns * ((scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane) +
+                                            errorSeconds * scope.linearResponses);
+  cost.meshErrorBytes = errorBytes * scope.unknowns * scope.linearResponses;
   cost.fileSeconds = scope.unknowns * (fileSeconds + stepFileSeconds * steps);
   return cost;
 }

@@ -1,5 +1,6 @@
 #include <harmos/scene/detail/PartStress.hpp>
 
+#include <algorithm>
 #include <numeric>
 
 #include <harmos/mesh/Elements.hpp>
@@ -8,6 +9,9 @@
 
 namespace harmos::scene {
 namespace {
+
+// Of a node: in the plane patches are smaller; quadratic simplices take many elements and ten monomials.
+constexpr double workInPlane = 0.3, workOfQuadraticSimplex = 4.0;
 
 /// Nodes and elements of a piece, in their order, without sets.
 mesh::Mesh meshOf(const mesh::Mesh& mesh, const mesh::Piece& piece) {
@@ -61,6 +65,18 @@ PartStress::PartStress(const mesh::Mesh& mesh, const Bodies& bodies, const Model
   for (const mesh::Face& face : mesh::skin(mesh::Elements(mesh_), part_.piece.elements)) {
     for (const int node : face.nodes) boundary_[node] = true;
   }
+}
+
+latin::ResponseWork PartStress::work() const {
+  latin::ResponseWork work;
+  const auto isQuadraticSimplex = [](const mesh::ElementBlock& block) {
+    return block.type == mesh::ElementType::tet10;
+  };
+  const auto nodes = static_cast<double>(mesh_.nodes.size());
+  const bool isDear = std::any_of(mesh_.blocks.begin(), mesh_.blocks.end(), isQuadraticSimplex);
+  work.recovered = nodes * (mesh_.dimension == 2 ? workInPlane : isDear ? workOfQuadraticSimplex : 1.0);
+  work.together = nodes;
+  return work;
 }
 
 base::Matrix PartStress::recover(const latin::Iterate& state, int first, int count) const {

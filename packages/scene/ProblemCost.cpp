@@ -14,6 +14,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/laws/AffineComponent.hpp>
 #include <harmos/scene/MemoryPerRank.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
@@ -44,6 +45,26 @@ std::vector<bool> areLoaded(const assembly::Assembly& assembly) {
   return loaded;
 }
 
+/// Whether a boundary that is eliminated moves the body, at load steps that stand for all of very many.
+bool moves(const assembly::Interface& interface, int steps) {
+  if (!isEliminated(interface)) return false;
+  constexpr int looks = 64;
+  for (int t = steps - 1; t >= 0; t -= std::max(1, steps / looks)) {
+    for (const laws::AffineComponent& component : laws::affineComponents(*interface.law, t)) {
+      if (std::isinf(component.stiffness) && component.offset != 0.0) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<bool> areMoved(const assembly::Assembly& assembly) {
+  std::vector<bool> moved(assembly.bodies.size(), false);
+  for (const assembly::Interface& interface : assembly.interfaces) {
+    if (moves(interface, assembly.steps())) moved[interface.body1] = true;
+  }
+  return moved;
+}
+
 double mostPieces(const std::vector<mesh::Piece>& pieces) {
   std::map<std::pair<std::string, int>, double> counts;
   double most = 1.0;
@@ -57,7 +78,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
                           const Teuchos::Comm<int>& comm) {
   const assembly::Assembly& assembly = problem.assembly;
   const std::vector<double> interfaces = interfacesOf(assembly.interfaces, assembly.bodies.size());
-  const std::vector<bool> loaded = areLoaded(assembly);
+  const std::vector<bool> loaded = areLoaded(assembly), moved = areMoved(assembly);
   CostScope scope;
   scope.dimension = assembly.dimension;
   scope.ranks = comm.getSize();
@@ -98,10 +119,17 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
     size.held = static_cast<double>(heldOf(assembly.interfaces, b, assembly.dimension).size());
     size.isFactored = operators.add(b, body.nodes.size(), body.congruence.get(), body.iterates) == b;
     size.isLoaded = loaded[b];
+    size.isMoved = moved[b];
     sums.add(size, solver);
   }
   sums.reduce(comm);
+  scope.responses = static_cast<double>(problem.responses.size());
+  for (const auto& response : problem.responses) {
+    scope.work += response->work(assembly);
+    if (response->isLinear()) scope.linearResponses += 1.0;
+  }
   for (const auto& interface : assembly.interfaces) {
+    if (isEliminated(interface)) scope.boundaryPairs += interface.pairs();
     scope.interfaceUnknowns += static_cast<double>(interface.pairs()) * interface.sides() * assembly.dimension;
     if (interface.sides() == 2) scope.sides += 2.0;
   }

@@ -46,12 +46,14 @@ MeshErrorSample::MeshErrorSample(const results::StudyResults& results) : results
   }
 }
 
+std::size_t MeshErrorSample::mostOf(std::size_t configurations) {
+  return std::min((configurations + configurationsPerEstimate - 1) / configurationsPerEstimate, estimatesAtMost);
+}
+
 bool MeshErrorSample::wants(const design::Configuration& configuration) const {
   const bool isOfTheStudy = configuration.id >= 1;  // others are only passed on a way
   if (!isOfTheStudy || estimates_.count(configuration.id) > 0) return false;
-  const std::size_t count = results_.configurations().size();
-  const std::size_t wanted = (count + configurationsPerEstimate - 1) / configurationsPerEstimate;
-  if (estimates_.size() >= std::min(wanted, estimatesAtMost)) return false;
+  if (estimates_.size() >= mostOf(results_.configurations().size())) return false;
   return std::all_of(estimates_.begin(), estimates_.end(), [&](const auto& known) {
     for (std::size_t p = 0; p < ranges_.size(); ++p) {
       if (std::abs(known.second.values[p] - configuration.values[p]) >= farApart * ranges_[p] && ranges_[p] > 0.0) {

@@ -23,6 +23,8 @@ class MeshErrorSample {
 
   /// The scene's responses that the study makes its own of, by position; all where it makes none.
   const std::vector<std::size_t>& curves() const { return curves_; }
+  /// At how many of so many configurations it is estimated, at most.
+  static std::size_t mostOf(std::size_t configurations);
   /// Whether the error of the mesh should be estimated at this solution; not again at one that is known already.
   bool wants(const design::Configuration& configuration) const;
   /// What the estimate has come to.

@@ -3,28 +3,45 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/laws/AffineComponent.hpp>
 #include <harmos/parametric/CalibratedSchedule.hpp>
 #include <harmos/parametric/ParametricStudy.hpp>
 #include <harmos/parametric/StudySolver.hpp>
+#include <harmos/study/MeshErrorSample.hpp>
 #include <harmos/study/StudyGroup.hpp>
 
 namespace harmos::study {
 
 namespace {
 
-// Linear stages over those of a run: of a configuration that is certified by itself, of one that calibrates a study,
-// with the attempts that come to nothing, of one that starts from others that are next to it, at 1 %, how that grows
-// with their distance in the ranges of the parameters, and where all laws are affine; and the power of the accuracy
-// that the one among others falls with.
-constexpr double alone = 1.8, calibration = 1.6, amongOthers = 0.09, growthWithDistance = 0.87, affine = 0.2;
-constexpr double usualAccuracy = 1e-2, powerOfAccuracy = 0.3;
-// Below so many configurations each is certified, see parametric::CertifiedSchedule.
-constexpr double fewConfigurations = 10.0;
+// Linear stages over those of a run: of a configuration that is certified by itself, from another one; of one that
+// calibrates a study, with the attempts that come to nothing; of one that starts from others that are next to it, at 1
+// %, how that grows with every decade of the accuracy and with their distance in the ranges of the parameters; and
+// where all laws are affine.
+constexpr double alone = 1.8, calibration = 1.6, amongOthers = 0.05, growthPerDecade = 0.08, growthWithDistance = 0.87,
+                 affine = 0.2, affineAlone = 1.0;
+constexpr double usualAccuracy = 1e-2;
+// None takes fewer: its start, and the state that is delivered.
+constexpr double leastStages = 2.0;
+// How often all responses are asked for: of a state that is accepted by the indicators, the result, and what its ranges
+// are compared with; of a calibration by two states on its way and their snapshots, its certificate and the state that
+// is remembered. As often as all displacements of a calibration are, in whichever way they are found.
+constexpr double evaluationsOfResult = 3.0, evaluationsOfCalibration = 10.0, looksOfCalibration = 6.0;
 // Of a configuration that marches beside others: fields of all load steps; and columns of the one at hand, which are
 // directions of its start with their images, and what the acceleration remembers.
 constexpr double fieldsOfPlace = 5.0, columnsOfPlace = 60.0;
-// Of a configuration besides: its scene is checked and its laws are made.
-constexpr double configurationSeconds = 3e-3;
+// Of a configuration besides: its scene is checked and its laws are made. Of a curve in the files; for every
+// configuration, and for every number of it.
+constexpr double configurationSeconds = 3e-3, curveSeconds = 6e-4, recordSeconds = 1.8e-5, numberSeconds = 3e-7;
+constexpr double curveBytes = 1.4e5, recordBytes = 300.0, numberBytes = 48.0;
+
+/// What a study of one kind does.
+struct StudyWork {
+  double stages = 0.0, stageSeconds = 0.0;             // linear ones of a configuration, and one of them
+  double certified = 0.0;                              // configurations with a certificate of their own
+  double evaluations = 0.0, looks = 0.0, loads = 0.0;  // of responses, whole displacements and loads, in all
+};
 
 /// Distance of neighbours, as if configurations were a grid over the free parameters that vary, in their ranges.
 double distanceOf(const Study& study) {
@@ -41,6 +58,57 @@ double distanceOf(const Study& study) {
   return 1.0 / std::max(1.0, along - 1.0);
 }
 
+/// Whether configurations have loads of their own: tractions, or displacements that boundaries prescribe.
+bool changeLoads(const Study& study) {
+  const auto isLoad = [&](const Effect& effect) {
+    if (effect.kind == Effect::Kind::loads) return true;
+    const auto law = study.scene.laws.find(effect.name);
+    if (effect.target != Effect::Target::law || effect.entry.rfind("Boundaries/", 0) != 0 ||
+        law == study.scene.laws.end() || !law->second->isAffine())
+      return false;
+    const auto components = laws::affineComponents(*law->second, 0);
+    return std::any_of(components.begin(), components.end(),
+                       [](const laws::AffineComponent& component) { return std::isinf(component.stiffness); });
+  };
+  return std::any_of(study.parameters.begin(), study.parameters.end(), [&](const StudyParameter& one) {
+    return std::any_of(one.effects.begin(), one.effects.end(), isLoad);
+  });
+}
+
+/// Where each configuration is certified.
+StudyWork workOfCertificates(double count, const scene::CostEstimate& cost) {
+  StudyWork work;
+  // The first one starts from nothing.
+  work.stages =
+      (1.0 + std::max(0.0, count - 1.0) * (cost.isAffine ? affineAlone : alone)) / std::max(1.0, count) * cost.stages;
+  work.stageSeconds = cost.stages > 0.0 ? cost.stagesSeconds() / cost.stages : 0.0;
+  work.certified = work.loads = count;
+  work.evaluations = work.looks = scene::CostEstimate::evaluations * count;
+  return work;
+}
+
+/// Where a few calibrate, and the others march from their neighbours.
+StudyWork workOfMarches(const Study& study, const scene::CostEstimate& cost, const latin::LatinOptions& options,
+                        bool areTogether) {
+  StudyWork work;
+  const auto count = static_cast<double>(study.configurations.size());
+  const double calibrations = parametric::CalibratedSchedule::calibrationsUntil(static_cast<int>(count)),
+               decades = std::max(0.0, std::log10(usualAccuracy / options.accuracy)),
+               near = std::min(alone, amongOthers + growthPerDecade * decades + growthWithDistance * distanceOf(study));
+  const double share = cost.isAffine ? affine : calibration * calibrations / count + near;
+  work.stages = std::max(leastStages, share * (cost.stages - cost.otherStages));
+  work.stageSeconds = cost.stageSeconds;
+  // Marches from neighbours solve in double precision, which reads twice as much, where the accuracy asks for it.
+  if (!options.stages.solver.invertTrace) work.stageSeconds += cost.readSeconds;
+  work.certified = std::min(count, calibration / alone * calibrations);
+  work.evaluations = evaluationsOfResult * count + (evaluationsOfCalibration - evaluationsOfResult) * calibrations;
+  // Of more load steps than are looked at together none is still there when it is asked for again.
+  work.looks = cost.steps > latin::stepsAtOnce ? work.evaluations : count + (looksOfCalibration - 1.0) * calibrations;
+  // Those of a configuration that marches beside others are put back when it has come through.
+  work.loads = areTogether ? 2.0 * count : count;
+  return work;
+}
+
 }  // namespace
 
 latin::LatinOptions solverOptions(const Study& study) {
@@ -50,7 +118,7 @@ latin::LatinOptions solverOptions(const Study& study) {
 
 StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos) {
   StudyCost result;
-  const double once = cost.startSeconds + cost.factorSeconds + cost.resultSeconds();
+  double once = cost.startSeconds + cost.factorSeconds + cost.resultSeconds();
   if (chaos != nullptr) {
     result.solves = 1.0;
     for (const StochasticPlan::Sweep& sweep : study.stochastic->sweeps)
@@ -66,32 +134,25 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
   result.bytes = std::min(
       result.solves * parametric::SolvedStates::bytesOf(static_cast<double>(cost.interfaceUnknowns), cost.steps),
       parametric::StudySolver::memoryForStates);
-  if (result.solves >= fewConfigurations) {
+  const latin::LatinOptions options = solverOptions(study);
+  const bool marches = !parametric::certifiesEach(options, study.configurations.size());
+  if (marches) {
     result.sideBySide = parametric::CalibratedSchedule::sideBySide(static_cast<int>(result.solves), study.sideBySide);
     result.bytes += (result.sideBySide - 1) * sizeof(double) * static_cast<double>(cost.interfaceUnknowns) *
                     (fieldsOfPlace * cost.steps + columnsOfPlace);
   }
-  const double calibrations =
-      calibration * parametric::CalibratedSchedule::calibrationsUntil(static_cast<int>(result.solves));
-  const double near = amongOthers * std::pow(usualAccuracy / solverOptions(study).accuracy, powerOfAccuracy) +
-                      growthWithDistance * distanceOf(study);
-  const double share = result.solves < fewConfigurations ? alone
-                       : cost.isAffine                   ? affine
-                                                         : calibrations / result.solves + std::min(near, alone);
-  result.stages = share * cost.stages;
-  // Marches from neighbours solve in double precision, which reads twice as much, where the accuracy asks for it.
-  const bool readsDouble = result.solves >= fewConfigurations && !solverOptions(study).stages.solver.invertTrace;
-  const double stageSeconds = cost.stageSeconds + (readsDouble ? cost.readSeconds : 0.0);
-  const double certified =
-      result.solves < fewConfigurations ? result.solves : std::min(result.solves, calibrations / alone);
-  double looks = cost.steps > 0 ? solverOptions(study).stages.solver.wholeSolves / cost.steps : 0.0;
-  // What loads do by themselves takes another solve, where each configuration has its own.
-  if (std::any_of(study.parameters.begin(), study.parameters.end(),
-                  [](const StudyParameter& one) { return one.effect == Effect::Kind::loads; }))
-    looks += result.solves;
-  result.seconds = once + (groups - 1.0) * cost.factorSeconds +
-                   certified * (cost.staticsSeconds + cost.correctionSeconds) + looks * cost.lookSeconds +
-                   result.solves * (configurationSeconds + result.stages * stageSeconds);
+  result.bytes += cost.responses * (curveBytes + result.solves * (recordBytes + numberBytes * cost.steps));
+  const StudyWork work =
+      marches ? workOfMarches(study, cost, options, result.sideBySide > 1) : workOfCertificates(result.solves, cost);
+  result.stages = work.stages;
+  once += std::max(0.0, static_cast<double>(MeshErrorSample::mostOf(study.configurations.size())) - 1.0) *
+          cost.meshErrorSeconds;
+  result.seconds =
+      once + (groups - 1.0) * cost.factorSeconds + work.certified * (cost.staticsSeconds + cost.correctionSeconds) +
+      work.looks * cost.lookSeconds + work.evaluations * cost.evaluationSeconds() +
+      (changeLoads(study) ? work.loads * cost.loadSeconds + (work.loads - result.solves) * work.stageSeconds : 0.0) +
+      result.solves * (configurationSeconds + work.stages * work.stageSeconds) +
+      cost.responses * (curveSeconds + result.solves * (recordSeconds + numberSeconds * cost.steps));
   return result;
 }
 

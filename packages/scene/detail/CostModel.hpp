@@ -7,6 +7,7 @@
 
 #include <harmos/assembly/Interface.hpp>
 #include <harmos/latin/LatinOptions.hpp>
+#include <harmos/latin/Response.hpp>
 #include <harmos/scene/CostEstimate.hpp>
 #include <harmos/scene/detail/JointGraph.hpp>
 #include <harmos/scene/detail/StaticsCost.hpp>
@@ -27,6 +28,7 @@ struct BodySize {
   bool isFactored = true;           ///< false: the factor is that of another body
   double iteratedEntries = 0.0;     ///< of its operator, where it is solved iteratively; 0: it is factored
   bool isLoaded = false;            ///< forces act on it
+  bool isMoved = false;             ///< boundaries that are eliminated move it
 };
 
 /// Factor of a body of which only the number of unknowns is known: 25 n^(4/3) entries in space, 8 n log2 n in the
@@ -61,14 +63,17 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 /// What a problem costs whatever its bodies are.
 struct CostScope {
   int dimension = 3, ranks = 1, steps = 1;
-  bool isAffine = false;           ///< all laws are
-  double unknowns = 0.0;           ///< displacements of all bodies
-  double interfaceUnknowns = 0.0;  ///< components of all interface sides
-  double pieces = 1.0;             ///< into which the part is cut that is cut most
-  double bodies = 0.0;             ///< how many there are
-  double sides = 0.0;              ///< of interfaces between two bodies
-  JointGraph joints;               ///< how bodies press on each other
-  StaticsSize statics;             ///< nothing: it is not counted
+  bool isAffine = false;                          ///< all laws are
+  double unknowns = 0.0;                          ///< displacements of all bodies
+  double interfaceUnknowns = 0.0;                 ///< components of all interface sides
+  double pieces = 1.0;                            ///< into which the part is cut that is cut most
+  double bodies = 0.0;                            ///< how many there are
+  double sides = 0.0;                             ///< of interfaces between two bodies
+  JointGraph joints;                              ///< how bodies press on each other
+  StaticsSize statics;                            ///< nothing: it is not counted
+  double boundaryPairs = 0.0;                     ///< at boundaries that are eliminated
+  double responses = 0.0, linearResponses = 0.0;  ///< how many there are
+  latin::ResponseWork work;                       ///< of all of them
 };
 
 /// Sums over some bodies of what their cost goes with.
@@ -102,6 +107,11 @@ class CostSums {
     loadReads,
     loadedUnknowns,
     lookReads,
+    denseReads,
+    loadedReads,
+    movedReads,
+    movedEntries,
+    stencilLooks,
     stencilReads,
     stencilEntries,
     inverseOperations,

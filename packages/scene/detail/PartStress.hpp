@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
+#include <harmos/latin/Response.hpp>
 #include <harmos/scene/Bodies.hpp>
 #include <harmos/scene/Temperatures.hpp>
 #include <harmos/scene/detail/PartPieces.hpp>
@@ -32,6 +33,9 @@ class PartStress {
   /// (6 nodes) x count [stress], on the rank that owns its first body; elsewhere 0 x 0. Collective. Throws as
   /// StressRecovery.
   base::Matrix recover(const latin::Iterate& state, int first, int count) const;
+  /// What recovering a column takes: nodes of the part, by how the polynomials that are fitted at them compare in time
+  /// with those of Hex8.
+  latin::ResponseWork work() const;
 
  private:
   PartStress(const mesh::Mesh& mesh, const Bodies& bodies, const Model& model, const Temperatures& temperatures,

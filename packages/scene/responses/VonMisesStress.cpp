@@ -17,6 +17,12 @@ class LargestVonMises : public latin::Response {
 
   bool isLinear() const override { return false; }
 
+  latin::ResponseWork work(const assembly::Assembly& /*assembly*/) const override {
+    latin::ResponseWork work;
+    for (const PartStress& part : parts_) work += part.work();
+    return work;
+  }
+
   std::vector<double> evaluate(const latin::Iterate& state) const override {
     const int steps = state.assembly().steps();
     std::vector<double> largest(steps, 0.0);

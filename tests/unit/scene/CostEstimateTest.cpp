@@ -37,6 +37,66 @@ TEST(CostEstimate, OfARunIsTheSumOfItsPhases) {
   cost.meshErrorSeconds = 0.75;
   cost.fileSeconds = 0.25;
   EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 2.0 + 12.0 + 4.0 + 8.0 + 1.0);
+  // The certificate solves all load steps together, and compares states by all responses.
+  cost.certificateStages = 8.0;
+  cost.togetherSeconds = 0.25;
+  cost.responseSeconds = 0.5;
+  cost.boundarySeconds = 0.5;
+  EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 2.0 + 10.0 + 4.0 + 8.0 + 5.0 + 1.0);
+}
+
+// Every response is counted; those of stress recover it in all parts, and the space for that is taken once.
+TEST(CostEstimate, CountsResponses) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const auto costWith = [&](int stresses) {
+    std::string text = sampleScene(), more;
+    for (int i = 0; i < stresses; ++i) {
+      more += "<ParameterList name=\"stress " + std::to_string(i) +
+              "\"><Parameter name=\"Type\" type=\"string\" value=\"Von Mises Stress\"/></ParameterList>";
+    }
+    const std::string list = "<ParameterList name=\"Responses\">";
+    text.insert(text.find(list) + list.size(), more);
+    const Scene scene =
+        makeScene(input::InputTree::fromText(text, "sample.xml"), "sample.xml", {}, laws::builtInLaws());
+    return estimateCost(makeProblem(scene, *comm, timers), scene.solver, FactorSizes::fromOrder, *comm);
+  };
+  const CostEstimate none = costWith(0), one = costWith(1), three = costWith(3);
+  EXPECT_EQ(one.responses, none.responses + 1.0);
+  EXPECT_GT(one.responseSeconds, 5.0 * none.responseSeconds);
+  EXPECT_NEAR(three.responseSeconds - none.responseSeconds, 3.0 * (one.responseSeconds - none.responseSeconds), 1e-12);
+  EXPECT_GT(one.processBytes, none.processBytes);
+  EXPECT_EQ(three.processBytes, one.processBytes);
+}
+
+// What converges slowly to the usual accuracy goes on as slowly.
+TEST(CostEstimate, TakesStagesInProportionWithTheAccuracy) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const Scene scene = sample();
+  const Problem problem = makeProblem(scene, *comm, timers);
+  const auto stagesTo = [&](double accuracy) {
+    latin::LatinOptions options = scene.solver;
+    options.accuracy = accuracy;
+    const CostEstimate cost = estimateCost(problem, options, FactorSizes::fromUnknowns, *comm);
+    return cost.stages - cost.otherStages;
+  };
+  const double usual = stagesTo(1e-3);
+  EXPECT_NEAR(stagesTo(1e-8) - stagesTo(1e-7), stagesTo(1e-4) - usual, 1e-9);
+  EXPECT_GT(stagesTo(1e-8), 1.5 * usual);
+  EXPECT_LT(stagesTo(1e-2), usual);
+}
+
+// Loads that boundaries prescribe as displacements are solved for like forces, and multiplied by the stiffness besides.
+TEST(CostEstimate, CountsPrescribedDisplacementsAmongLoads) {
+  const auto comm = Tpetra::getDefaultComm();
+  base::Timers timers;
+  const auto costOf = [&](const std::string& depth) {
+    const Scene scene = sample({"Boundaries/fixed/Law/Z=" + depth});
+    return estimateCost(makeProblem(scene, *comm, timers), scene.solver, FactorSizes::fromOrder, *comm);
+  };
+  EXPECT_GT(costOf("-0.01").loadSeconds, costOf("0").loadSeconds);
+  EXPECT_GT(costOf("-0.01").processBytes, costOf("0").processBytes);
 }
 
 // Of the shipped joint, 7956 interface unknowns and 11 load steps, the derivatives by its friction take 25 MB, and 3.2
@@ -46,6 +106,7 @@ TEST(CostEstimate, CountsDerivatives) {
   cost.interfaceUnknowns = 7956;
   cost.steps = 11;
   cost.stageSeconds = 0.012;
+  cost.directionsOfStep = 72.0;
   CostEstimate byThree = cost;
   cost.addDerivatives(0);
   EXPECT_EQ(cost.processBytes, 0.0);

@@ -1,5 +1,8 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include <harmos/parametric/ParametricStudy.hpp>
 #include <harmos/parametric/StudySolver.hpp>
 #include <harmos/study/StudyCost.hpp>
 
@@ -105,6 +108,76 @@ TEST(StudyCost, CountsStaticsAndLeastSquaresWhereItCertifies) {
   EXPECT_NEAR(difference(5), 15.0, 1e-9);
   EXPECT_NEAR(difference(100), difference(1000), 1e-9);
   EXPECT_LT(difference(100), 30.0);
+}
+
+// All responses are asked for three times of a configuration that marches, ten times of one that calibrates, and five
+// times of one that is certified.
+TEST(StudyCost, CountsEvaluationsOfResponses) {
+  const auto evaluations = [](int configurations) {
+    scene::CostEstimate cost = sample();
+    cost.responseSeconds = 1.0;
+    return costOf(configurations, cost).seconds - costOf(configurations).seconds;
+  };
+  EXPECT_NEAR(evaluations(6), 30.0, 1e-9);
+  EXPECT_NEAR(evaluations(50), 50.0 * 3.0 + 5.0 * 7.0, 1e-9);
+}
+
+// Curves are in the files, and there are a few copies of their numbers.
+TEST(StudyCost, CountsCurves) {
+  scene::CostEstimate cost = sample();
+  cost.responses = 100.0;
+  EXPECT_GT(costOf(20, cost).bytes - costOf(20).bytes, 100.0 * 20.0 * 8.0 * 3.0 * 8.0);
+  EXPECT_GT(costOf(20, cost).seconds, costOf(20).seconds);
+}
+
+// Where tractions are varied every configuration has loads of its own, and those side by side twice.
+TEST(StudyCost, CountsLoadsThatConfigurationsHave) {
+  const auto difference = [](int configurations, Effect::Kind kind) {
+    Study study;
+    study.sideBySide = 8;
+    StudyParameter& parameter = study.parameters.emplace_back();
+    parameter.effects.emplace_back().kind = kind;
+    for (int i = 0; i < configurations; ++i) study.configurations.push_back({i + 1, {1.0 * i}});
+    scene::CostEstimate cost = sample();
+    const double before = estimateStudy(study, cost, nullptr).seconds;
+    cost.loadSeconds = 1.0;
+    return estimateStudy(study, cost, nullptr).seconds - before;
+  };
+  EXPECT_NEAR(difference(6, Effect::Kind::loads), 6.0, 1e-9);
+  EXPECT_NEAR(difference(50, Effect::Kind::loads), 100.0, 1e-9);
+  EXPECT_EQ(difference(50, Effect::Kind::localStage), 0.0);
+}
+
+// The rule by which studies are solved is the one that costs are counted with.
+TEST(StudyCost, MarchesWhereTheStudyDoes) {
+  for (const latin::Formulation formulation : {latin::Formulation::displacement, latin::Formulation::velocity}) {
+    for (const int count : {1, 9, 10, 50}) {
+      Study study;
+      study.sideBySide = 8;
+      study.scene.solver.stages.formulation = formulation;
+      for (int i = 0; i < count; ++i) study.configurations.push_back({i + 1, {}});
+      scene::CostEstimate cost = sample();
+      const double before = estimateStudy(study, cost, nullptr).seconds;
+      cost.responseSeconds = 1.0;
+      const double evaluations = estimateStudy(study, cost, nullptr).seconds - before;
+      const bool each = parametric::certifiesEach(study.scene.solver, study.configurations.size());
+      EXPECT_EQ(each, count < 10 || formulation == latin::Formulation::velocity);
+      EXPECT_EQ(std::abs(evaluations - 5.0 * count) < 1e-9, each) << count;
+    }
+  }
+}
+
+// Finer accuracies take more stages, none beyond those of a certificate by more than calibrations are.
+TEST(StudyCost, GrowsWithTheAccuracy) {
+  scene::CostEstimate cost = sample();
+  cost.stages = 50.0;
+  double before = 0.0;
+  for (const double accuracy : {1e-2, 1e-3, 1e-5, 1e-8}) {
+    const double stages = costOf(200, cost, accuracy).stages;
+    EXPECT_GT(stages, before);
+    before = stages;
+  }
+  EXPECT_LT(before, 2.0 * cost.stages);
 }
 
 }  // namespace
