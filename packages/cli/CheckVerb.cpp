@@ -157,7 +157,9 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   } else {
     cost.meshErrorSeconds = 0.0;
   }
-  if (!scene.output.fields) cost.fileSeconds = 0.0;
+  const bool writesFields = scene.output.fields && study == nullptr;
+  cost.processBytes += writesFields ? cost.fileBytes : 0.0;
+  if (!writesFields) cost.fileSeconds = 0.0;
   if (!study) cost.addDerivatives(static_cast<int>(scene.output.derivatives.size()));
   study::StudyCost ofStudy;
   if (study && !study->isChaos()) ofStudy = study::estimateStudy(*study, cost, nullptr);

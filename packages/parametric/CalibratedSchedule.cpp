@@ -24,8 +24,6 @@ constexpr int stagesToFirst = 150;
 constexpr int stagesToNext = 20;
 // Of the accuracy: what calibrates and audits is certified to this share, which is added to the errors it finds.
 constexpr double tightShare = 0.1;
-// A march from neighbours ends after so many linear stages, or those of a cold start.
-constexpr double stagesFromNeighbours = 20;
 // Of these a start can be made.
 constexpr int fewestStates = 3;
 

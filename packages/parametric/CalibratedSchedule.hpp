@@ -37,6 +37,8 @@ class CalibratedSchedule {
 
   /// How many configurations march side by side at most, if nothing else is asked for.
   static constexpr int usualWidest = 8;
+  /// A march from neighbours ends after so many linear stages, or those of a cold start.
+  static constexpr double stagesFromNeighbours = 20.0;
   /// How many march side by side once so many are solved, of at most `widest`.
   static int sideBySide(int solved, int widest);
   /// Sets the most that march side by side, at least 1.

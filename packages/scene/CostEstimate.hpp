@@ -48,6 +48,7 @@ struct CostEstimate {
   double meshErrorSeconds = 0.0;       // its estimate
   double meshErrorBytes = 0.0;         // fields of the responses for it, beyond processBytes
   double fileSeconds = 0.0;            // fields of parts and interfaces
+  double fileBytes = 0.0;              // the same, beyond processBytes
   double directionsOfStep = 0.0;       // that a derivative of a load step is sought in
   double derivativeBytes = 0.0;        // see addDerivatives()
   double derivativeSeconds = 0.0;      // the same

@@ -21,8 +21,9 @@ constexpr double entryBytes = 8.0, singleEntryBytes = 4.0, matrixEntryBytes = 12
 constexpr double entriesInSpace = 25.0, growthInSpace = 4.0 / 3.0, entriesInPlane = 8.0;
 // Of operations per unknown beside the square of the mean length of a column of the factor.
 constexpr double unevenColumns = 1.5;
-// Fields of a load step beside those: the state, its image and where they began, and the residual.
-constexpr double fields = 5.0;
+// Fields of a load step beside those: the state, its image and where they began, the residual, and what both stages and
+// estimates are made of.
+constexpr double fields = 6.5;
 // Of a process: the program with its libraries; matrices with what they are assembled and ordered from; factors that
 // columns go through, in double and in single precision; factors of bodies that nothing iterates on, with the padding
 // of their supernodes; what the macro problem multiplies tractions with; of the differences of a march what is still
@@ -52,8 +53,9 @@ constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds
 // A solve of all load steps together takes less of a column than one of the usual number of them, down to the share of
 // one among many. Of the error of the mesh in a linear response, per unknown: seconds and bytes.
 constexpr double errorSeconds = 1.5e-7, errorBytes = 35.0;
-// Bytes of a node and load step while stress is recovered: samples in its elements, and what is made of them.
-constexpr double recoveredBytes = 300.0;
+// Bytes of a node and load step while stress is recovered: samples in its elements, and what is made of them; of an
+// element and load step of those that are written together.
+constexpr double recoveredBytes = 300.0, writtenBytes = 60.0;
 // Of operators that are solved iteratively: bytes per entry at the peak, with the preconditioner; iterations of a
 // column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
 constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
@@ -370,6 +372,7 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.meshErrorSeconds = scope.unknowns * ((scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane) +
                                             errorSeconds * scope.linearResponses);
   cost.meshErrorBytes = errorBytes * scope.unknowns * scope.linearResponses;
+  cost.fileBytes = writtenBytes * scope.elements * together;
   cost.fileSeconds = scope.unknowns * (fileSeconds + stepFileSeconds * steps);
   return cost;
 }

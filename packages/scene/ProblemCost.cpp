@@ -86,6 +86,7 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   scope.isAffine = assembly.isAffine();
   scope.pieces = mostPieces(problem.bodies.pieces);
   scope.bodies = static_cast<double>(assembly.bodies.size());
+  for (const mesh::Piece& piece : problem.bodies.pieces) scope.elements += static_cast<double>(piece.elements.size());
   std::vector<std::string> parts;
   for (const substructure::Substructure& body : assembly.bodies) parts.push_back(body.partName());
   scope.joints = jointGraphOf(assembly.interfaces, parts, assembly.dimension);

@@ -11,7 +11,7 @@ namespace {
 
 // Seconds: of a column of a programme that a pivot is priced with; of a joint of a load step, which is made for the
 // programme, and looked at once more when the states of the pairs are known.
-constexpr double pivotSeconds = 1.5e-8, jointSeconds = 3e-6;
+constexpr double pivotSeconds = 1.5e-8, jointSeconds = 1e-6;
 // Pivots of a programme: one for every row of a few, where each finds its place at once; as many more as there are rows
 // of so many.
 constexpr double rowsThatDouble = 150.0;

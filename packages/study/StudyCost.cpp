@@ -20,8 +20,10 @@ namespace {
 // %, how that grows with every decade of the accuracy and with their distance in the ranges of the parameters; and
 // where all laws are affine.
 constexpr double alone = 1.8, calibration = 1.6, amongOthers = 0.05, growthPerDecade = 0.08, growthWithDistance = 0.87,
-                 affine = 0.2, affineAlone = 1.0;
+                 affine = 0.15, affineAlone = 1.0;
 constexpr double usualAccuracy = 1e-2;
+// Marches from neighbours differ: from this share of the most stages on that they may take, some need more.
+constexpr double spread = 0.6;
 // None takes fewer: its start, and the state that is delivered.
 constexpr double leastStages = 2.0;
 // How often all responses are asked for: of a state that is accepted by the indicators, the result, and what its ranges
@@ -33,7 +35,7 @@ constexpr double evaluationsOfResult = 3.0, evaluationsOfCalibration = 10.0, loo
 constexpr double fieldsOfPlace = 5.0, columnsOfPlace = 60.0;
 // Of a configuration besides: its scene is checked and its laws are made. Of a curve in the files; for every
 // configuration, and for every number of it.
-constexpr double configurationSeconds = 3e-3, curveSeconds = 6e-4, recordSeconds = 1.8e-5, numberSeconds = 3e-7;
+constexpr double configurationSeconds = 2e-3, curveSeconds = 6e-4, recordSeconds = 1.8e-5, numberSeconds = 3e-7;
 constexpr double curveBytes = 1.4e5, recordBytes = 300.0, numberBytes = 48.0;
 
 /// What a study of one kind does.
@@ -94,16 +96,26 @@ StudyWork workOfMarches(const Study& study, const scene::CostEstimate& cost, con
   const auto count = static_cast<double>(study.configurations.size());
   const double calibrations = parametric::CalibratedSchedule::calibrationsUntil(static_cast<int>(count)),
                decades = std::max(0.0, std::log10(usualAccuracy / options.accuracy)),
-               near = std::min(alone, amongOthers + growthPerDecade * decades + growthWithDistance * distanceOf(study));
-  const double share = cost.isAffine ? affine : calibration * calibrations / count + near;
-  work.stages = std::max(leastStages, share * (cost.stages - cost.otherStages));
+               further = growthPerDecade * decades,
+               near = std::min(alone, amongOthers + further + growthWithDistance * distanceOf(study));
+  const double run = cost.stages - cost.otherStages, march = (cost.isAffine ? affine + further : near) * run;
+  // Marches that are not through after so many stages are given up for a certificate.
+  constexpr double most = parametric::CalibratedSchedule::stagesFromNeighbours;
+  const double givenUp = cost.isAffine ? 0.0 : std::clamp(march / most - spread, 0.0, 1.0);
+  const double shareOfCalibrations = cost.isAffine ? 0.0 : calibration * calibrations / count;
+  work.stages = std::max(leastStages,
+                         shareOfCalibrations * run + (1.0 - givenUp) * march + givenUp * (std::min(march, most) + run));
   work.stageSeconds = cost.stageSeconds;
   // Marches from neighbours solve in double precision, which reads twice as much, where the accuracy asks for it.
   if (!options.stages.solver.invertTrace) work.stageSeconds += cost.readSeconds;
-  work.certified = std::min(count, calibration / alone * calibrations);
-  work.evaluations = evaluationsOfResult * count + (evaluationsOfCalibration - evaluationsOfResult) * calibrations;
+  const double fromNeighbours = givenUp * (count - calibrations);
+  work.certified = std::min(count, calibration / alone * calibrations + fromNeighbours);
+  work.evaluations = evaluationsOfResult * count + (evaluationsOfCalibration - evaluationsOfResult) * calibrations +
+                     scene::CostEstimate::evaluations * fromNeighbours;
   // Of more load steps than are looked at together none is still there when it is asked for again.
-  work.looks = cost.steps > latin::stepsAtOnce ? work.evaluations : count + (looksOfCalibration - 1.0) * calibrations;
+  work.looks = cost.steps > latin::stepsAtOnce ? work.evaluations
+                                               : count + (looksOfCalibration - 1.0) * calibrations +
+                                                     scene::CostEstimate::evaluations * fromNeighbours;
   // Those of a configuration that marches beside others are put back when it has come through.
   work.loads = areTogether ? 2.0 * count : count;
   return work;

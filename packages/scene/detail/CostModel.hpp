@@ -68,6 +68,7 @@ struct CostScope {
   double interfaceUnknowns = 0.0;                 ///< components of all interface sides
   double pieces = 1.0;                            ///< into which the part is cut that is cut most
   double bodies = 0.0;                            ///< how many there are
+  double elements = 0.0;                          ///< of all of them
   double sides = 0.0;                             ///< of interfaces between two bodies
   JointGraph joints;                              ///< how bodies press on each other
   StaticsSize statics;                            ///< nothing: it is not counted

@@ -180,5 +180,18 @@ TEST(StudyCost, GrowsWithTheAccuracy) {
   EXPECT_LT(before, 2.0 * cost.stages);
 }
 
+// Marches that take more stages than they may are given up for certificates, which look at all responses more often.
+TEST(StudyCost, CertifiesWhatDoesNotComeThrough) {
+  const auto evaluations = [](double stages) {
+    scene::CostEstimate cost = sample();
+    cost.stages = stages;
+    const double before = costOf(50, cost, 1e-6).seconds;
+    cost.responseSeconds = 1.0;
+    return costOf(50, cost, 1e-6).seconds - before;
+  };
+  EXPECT_NEAR(evaluations(10.0), 50.0 * 3.0 + 5.0 * 7.0, 1e-9);
+  EXPECT_NEAR(evaluations(1000.0), 50.0 * 3.0 + 5.0 * 7.0 + 45.0 * 5.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace harmos::study
