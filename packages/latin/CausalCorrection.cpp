@@ -26,6 +26,8 @@ constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
 // A Gauss-Newton step that leaves more than this share of the residual is not worth its local stages.
 constexpr double worthwhile = 0.999;
+// Of the first state: a way along motions that hardly anything resists which is farther is that of round-off.
+constexpr double farthest = 100.0;
 // Growth of a residual that is round-off.
 constexpr double unnoticed = 1e-9;
 // Times the residual that the tangent predicts, from which on it is found anew.
@@ -141,8 +143,9 @@ void CausalCorrection::settleFaintMotions(int step) {
     double* state = (*alpha_)[step];
     const std::vector<double> alpha(state, state + rows), beta(beta_[step], beta_[step] + rows);
     steps_[step].moveAlongFaint(residual_[step], state, beta_[step]);
+    goesAstray_ = goesAstray_ || scaledNorm(fixedPoint_.metric(), state, alpha.data()) > reach_;
     const double reached = evaluate(step);
-    if (reached <= residual * (1.0 + unnoticed)) {
+    if (!goesAstray_ && reached <= residual * (1.0 + unnoticed)) {
       residual = reached;
     } else {
       std::copy_n(alpha.begin(), rows, state);
@@ -253,6 +256,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
 }
 
 double CausalCorrection::hidden() const {
+  if (goesAstray_) return std::numeric_limits<double>::infinity();
   const double way = targets_.longestWay(end_);
   double largest = 0.0;
   for (int t = 0; t < alpha_->numCols(); ++t) {
@@ -278,7 +282,10 @@ void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
   residual_.shapeUninitialized(alpha.numRows(), alpha.numCols());
   const std::vector<double> squares = fixedPoint_.metric().squaredNorms(alpha);
   first_ = 0;
-  noise_ = fixedPoint_.roundOff(std::sqrt(*std::max_element(squares.begin(), squares.end())));
+  const double size = std::sqrt(*std::max_element(squares.begin(), squares.end()));
+  noise_ = fixedPoint_.roundOff(size);
+  if (reach_ == 0.0) reach_ = farthest * size;
+  goesAstray_ = false;
   fixedPoint_.pointwiseStage().begin();
   for (int t = 0; t < alpha.numCols(); ++t) {
     targets_.start(t, evaluate(t));
@@ -392,7 +399,6 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
     }
   }
   result.hidden = hidden();
-  for (const StepSpace& step : steps_) result.lostBody = std::max(result.lostBody, step.lostBody());
   result.shares = targets_.sharesLeft(noise_);
   result.reduction = targets_.reduction(noise_);
   if (!(result.reduction <= 1.0)) {

@@ -40,9 +40,9 @@ class CausalCorrection {
     std::vector<double> shares;
     /// What the residual can hide: largest |R_t| / (s_t d), s_t the smallest singular value of I - J in the space of
     /// the step, d the longest way that a step was moved. Slow modes are all but absent from the residual.
+    /// Infinite where a residual asks for a way that only round-off asks for, along motions that hardly anything
+    /// resists.
     double hidden = 0.0;
-    /// A body of which it cannot be told how it has moved, StepSpace::lostBody(); -1: there is none.
-    int lostBody = -1;
     /// That of the corrected state, valid as FixedPoint::apply() says; null where none was found.
     const Iterate* iterate = nullptr;
   };
@@ -77,8 +77,8 @@ class CausalCorrection {
   void reduce(int step);
   /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.
   bool takeStep(int step, const CorrectionSpace::LeastSquares& direction);
-  /// Moves a load step along motions that its space cannot hold, unless its residual grows:
-  /// StepSpace::moveAlongFaint().
+  /// Moves a load step along motions that its space cannot hold, StepSpace::moveAlongFaint(), unless its residual grows
+  /// or asks for too much.
   void settleFaintMotions(int step);
   /// What `treat` makes of the load steps at hand from `first` on in turn; the steps before have come to their end.
   void sweep(int first, void (CausalCorrection::*treat)(int step));
@@ -115,6 +115,8 @@ class CausalCorrection {
   std::unique_ptr<SoftMotions> softMotions_;
   std::vector<StepSpace> steps_;
   std::vector<bool> isLeft_;  // per load step: it has not come to its end
+  double reach_ = 0.0;        // of ways along motions that hardly anything resists; 0: nothing was corrected yet
+  bool goesAstray_ = false;   // a residual has asked for more
   bool goesForSoft_ = false;  // nothing but soft motions is left to be met
   CorrectionTargets targets_;
   int begin_ = 0, end_ = 0;               // of the load steps at hand

@@ -147,7 +147,6 @@ Certificate::Correction Certificate::correctCausally(const Iterate& iterate, bas
   result.shares = step.shares;
   result.isReduced = step.reduction <= causalLimit * goal.reduction;
   result.hidden = step.hidden;
-  result.lostBody = step.lostBody;
   result.iterate = step.iterate;
   return result;
 }
@@ -272,11 +271,6 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
     Correction step = kind == Kind::causal     ? correctCausally(*iterate, state, image, count, stages)
                       : kind == Kind::stepwise ? correctStepwise(*iterate, state, image, count, stageLimit - 2)
                                                : correctByNewton(*iterate, state, image, estimate.isSettled(), stages);
-    result.lostBody = step.lostBody;
-    if (result.lostBody >= 0) {
-      result.conclusive = false;
-      return result;
-    }
     if (!step.isReduced) {
       result.conclusive = false;
       result.stagnated = true;

@@ -42,7 +42,6 @@ class Certificate {
     bool conclusive = false;           ///< both corrections could be computed; `estimates` holds E
     std::vector<double> estimates;     ///< as Snapshot::distance: responses, force field, displacement field
     double contraction = 1.0;          ///< kappa [-]
-    int lostBody = -1;                 ///< as CausalCorrection::Result::lostBody: nothing can be claimed
     bool stagnated = false;            ///< a causal correction did not reduce the residual as much as it must
     const Iterate* iterate = nullptr;  ///< where claimed, of the state that is left, if its image is at hand
   };
@@ -68,7 +67,6 @@ class Certificate {
     std::vector<double> shares;        // that load steps keep of it, as CausalCorrection::Result
     bool isReduced = false;            // the residual, as much as an estimate needs
     double hidden = 0.0;               // as NewtonCorrection::Result::hidden
-    int lostBody = -1;                 // as CausalCorrection::Result::lostBody
     const Iterate* iterate = nullptr;  // of the corrected state, where its image is known
   };
   Result attemptOnce(Kind kind, const Iterate& iterate, base::Matrix& state, base::Matrix& image, int stageLimit);

@@ -19,12 +19,21 @@ constexpr double held = 1e-3;
 // Square of a motion in the metric of states, over the largest of its cluster, below which no interface feels it.
 constexpr double felt = 1e-10;
 
+// Of a motion that boundaries leave to a body, what may be one that they do not.
+constexpr double partlyHeld = 1e-9;
+// Stiffness against motions, over the largest, that is none.
+constexpr double none = 1e-13;
+
 }  // namespace
 
 ClusterMotions::ClusterMotions(const FixedPoint& fixedPoint) : fixedPoint_(fixedPoint) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
   findClusters();
-  for (Cluster& cluster : clusters_) cluster.shapes = freeMotions(cluster);
+  for (Cluster& cluster : clusters_) {
+    cluster.shapes = freeMotions(cluster);
+    const int all = assembly.dimension == 2 ? 3 : sixfold;
+    cluster.isPartlyHeld = cluster.shapes.numCols() < all;
+  }
   const auto movable =
       std::count_if(clusters_.begin(), clusters_.end(), [](const Cluster& one) { return one.shapes.numCols() > 0; });
   if (static_cast<std::size_t>(movable) > mostClusters) return;
@@ -47,14 +56,18 @@ ClusterMotions::ClusterMotions(const FixedPoint& fixedPoint) : fixedPoint_(fixed
     normalise(clusters_[c], squares[c]);
     motions_ += clusters_[c].shapes.numCols();
   }
-  resisted_.shape(motions_, motions_);
-  for (const Cluster& cluster : clusters_) {
-    const Matrix ofBoundaries = resistedByBoundaries(cluster);
-    for (int j = 0; j < ofBoundaries.numCols(); ++j) {
-      for (int i = 0; i < ofBoundaries.numRows(); ++i)
-        resisted_(cluster.first + i, cluster.first + j) = ofBoundaries(i, j);
-    }
+  const Matrix ofBoundaries = springs();
+  if (ofBoundaries.normFrobenius() == 0.0) return;
+  Matrix modes = ofInterfaces(), shares(motions_, motions_);
+  modes += ofBoundaries;
+  const std::vector<double> values = symmetricEigen(modes);
+  shares.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, modes, ofBoundaries, 0.0);
+  for (int i = 0; i < motions_; ++i) {
+    const double inverse = values[i] > none * values.back() ? 1.0 / values[i] : 0.0;
+    for (int k = 0; k < motions_; ++k) shares(i, k) *= inverse;
   }
+  answers_.shape(motions_, motions_);
+  answers_.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, modes, shares, 0.0);
 }
 
 void ClusterMotions::findClusters() {
@@ -134,18 +147,56 @@ Matrix ClusterMotions::shapesOf(int body, const Cluster& cluster) const {
   return result;
 }
 
-Matrix ClusterMotions::resistedByBoundaries(const Cluster& cluster) const {
-  const int count = cluster.shapes.numCols();
-  Matrix result(count, count);
-  for (const int body : cluster.bodies) {
-    const Matrix squares = fixedPoint_.heldMotions().squaredResistance(body);
-    if (squares.numRows() == 0) continue;
-    const Matrix shapes = shapesOf(body, cluster);
-    Matrix answers(sixfold, count);
-    answers.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, squares, shapes, 0.0);
-    result.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, shapes, answers, 1.0);
+Matrix ClusterMotions::springs() const {
+  Matrix result(motions_, motions_);
+  for (const Cluster& cluster : clusters_) {
+    const int count = cluster.shapes.numCols();
+    for (const int body : cluster.bodies) {
+      const Matrix& own = fixedPoint_.heldMotions().springs(body);
+      if (own.numRows() == 0 || count == 0) continue;
+      const Matrix shapes = shapesOf(body, cluster);
+      Matrix forces(sixfold, count), sum(Teuchos::View, result, count, count, cluster.first, cluster.first);
+      forces.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, own, shapes, 0.0);
+      sum.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, shapes, forces, 1.0);
+    }
   }
   return result;
+}
+
+Matrix ClusterMotions::ofInterfaces() const {
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  Matrix all(motions_, motions_), result(motions_, motions_);
+  for (int i = 0; i < motions_; ++i) all(i, i) = 1.0;
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    if (interface.law->prescribesTraction() || fixedPoint_.eliminated().contains(static_cast<int>(i))) continue;
+    for (int p = 0; p < interface.pairs(); ++p) {
+      const Matrix jumps = jump(interface, p, all);
+      const double k = fixedPoint_.searchDirection().of(static_cast<int>(i))[p];
+      result.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, interface.area[p] * k / interface.sides(), jumps, jumps, 1.0);
+    }
+  }
+  return result;
+}
+
+std::array<Matrix, 2> ClusterMotions::addedAt(const assembly::Interface& interface, int pair,
+                                              const Matrix& motions) const {
+  Matrix answers(motions_, motions.numCols());
+  answers.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, answers_, motions, 0.0);
+  std::array<Matrix, 2> added;
+  for (int side = 0; side < interface.sides(); ++side) added[side] = onSide(interface, side, pair, answers);
+  if (interface.sides() == 1) {
+    added[0] *= 2.0;
+    return added;
+  }
+  const Matrix first(added[0]);
+  for (int j = 0; j < first.numCols(); ++j) {
+    for (int c = 0; c < first.numRows(); ++c) {
+      added[0](c, j) = 1.5 * first(c, j) - 0.5 * added[1](c, j);
+      added[1](c, j) = 1.5 * added[1](c, j) - 0.5 * first(c, j);
+    }
+  }
+  return added;
 }
 
 Matrix ClusterMotions::at(const assembly::Interface& interface, int side, int pair) const {
@@ -166,26 +217,26 @@ Matrix ClusterMotions::at(const assembly::Interface& interface, int side, int pa
   return motions;
 }
 
-int ClusterMotions::mostMoved(const std::vector<double>& shares) const {
-  int body = -1;
-  double largest = 0.0;
+double ClusterMotions::roundOffOf(const double* shares) const {
+  double square = 0.0;
   for (const Cluster& cluster : clusters_) {
-    double square = 0.0;
+    if (!cluster.isPartlyHeld) continue;
     for (int j = cluster.first; j < cluster.first + cluster.shapes.numCols(); ++j) square += shares[j] * shares[j];
-    if (square > largest) body = cluster.bodies.front();
-    largest = std::max(largest, square);
   }
-  return body;
+  return partlyHeld * std::sqrt(square);
+}
+
+Matrix ClusterMotions::onSide(const assembly::Interface& interface, int side, int pair, const Matrix& motions) const {
+  const Matrix shapes = at(interface, side, pair);
+  Matrix result(shapes.numRows(), motions.numCols());
+  const Matrix shares(Teuchos::Copy, motions, shapes.numCols(), motions.numCols(), first(interface.body(side)), 0);
+  result.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, shapes, shares, 0.0);
+  return result;
 }
 
 Matrix ClusterMotions::jump(const assembly::Interface& interface, int pair, const Matrix& motions) const {
-  Matrix result(fixedPoint_.assembly().dimension, motions.numCols());
-  for (int side = 0; side < interface.sides(); ++side) {
-    const Matrix shapes = at(interface, side, pair);
-    const int first = clusters_[clusterOf_[interface.body(side)]].first;
-    const Matrix shares(Teuchos::Copy, motions, shapes.numCols(), motions.numCols(), first, 0);
-    result.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, side == 0 ? 1.0 : -1.0, shapes, shares, 1.0);
-  }
+  Matrix result = onSide(interface, 0, pair, motions);
+  if (interface.sides() == 2) result -= onSide(interface, 1, pair, motions);
   return result;
 }
 

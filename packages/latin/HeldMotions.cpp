@@ -119,6 +119,7 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
   }
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     Body& body = bodies_[b];
+    if (body.springs.normFrobenius() == 0.0) body.springs = base::Matrix();
     if (!body.isHeld) continue;
     double k = 0.0;
     for (int i = 0; i < 3; ++i) k = std::max(k, body.stiffness(i, i) + ofBoundaries[b](i, i) / rigid);
@@ -132,7 +133,6 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
       }
     };
     scale(body.stiffness);
-    scale(body.springs);
     scale(ofBoundaries[b]);
     base::Matrix whole(body.stiffness);
     whole += ofBoundaries[b];
@@ -190,33 +190,6 @@ double HeldMotions::heldShare(int body, const Sixfold& motion) const {
   }
   const double size = dot(v, v);
   return size > 0.0 ? std::sqrt(dot(held, held) / size) : 0.0;
-}
-
-base::Matrix HeldMotions::squaredResistance(int body) const {
-  const Body& one = bodies_[body];
-  base::Matrix result;
-  if (one.springs.normFrobenius() == 0.0) return result;
-  base::Matrix modes(one.stiffness);
-  const std::vector<double> values = symmetricEigen(modes);
-  const auto apply = [](const base::Matrix& a, const base::Matrix& x, Teuchos::ETransp transposed) {
-    base::Matrix y(motions, motions);
-    y.multiply(transposed, Teuchos::NO_TRANS, 1.0, a, x, 0.0);
-    return y;
-  };
-  base::Matrix answers = apply(modes, one.springs, Teuchos::TRANS);
-  for (int i = 0; i < motions; ++i) {
-    const double inverse = values[i] > none * values.back() ? 1.0 / values[i] : 0.0;
-    for (int j = 0; j < motions; ++j) answers(i, j) *= inverse;
-  }
-  answers = apply(modes, answers, Teuchos::NO_TRANS);
-  base::Matrix ofOthers(one.stiffness);
-  ofOthers -= one.springs;
-  result.shape(motions, motions);
-  result.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 4.0, answers, apply(ofOthers, answers, Teuchos::NO_TRANS), 0.0);
-  for (int i = 0; i < motions; ++i) {
-    for (int j = 0; j < motions; ++j) result(i, j) *= (i < 3 ? 1.0 : one.extent) * (j < 3 ? 1.0 : one.extent);
-  }
-  return result;
 }
 
 }  // namespace harmos::latin

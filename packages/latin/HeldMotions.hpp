@@ -33,10 +33,8 @@ class HeldMotions {
   Sixfold freeMotion(int body, const Sixfold& motion) const;
   /// Share of a motion that is held, |v - V V^T G v| / |v|, rotations in units of the extent.
   double heldShare(int body, const Sixfold& motion) const;
-  /// E, 6 x 6, or empty where it is zero: in the metric of states, what springs of boundaries, S of G, make I - J
-  /// resist a motion v by is v^T E v. The body answers alpha = k v with G^-1 (G - S) v, so that beta = -k v + 2 k G^-1
-  /// S v and E = 4 S G^-1 (G - S) G^-1 S. What the macro problem makes of it, up to as much again, is left out.
-  base::Matrix squaredResistance(int body) const;
+  /// What springs of eliminated boundaries are against motions of a body, v^T S v = 2 x energy; 0 x 0: it has none.
+  const base::Matrix& springs(int body) const { return bodies_[body].springs; }
 
  private:
   struct Body {
@@ -44,7 +42,7 @@ class HeldMotions {
     double extent = 0.0;
     bool isHeld = false;     // any motion is
     base::Matrix stiffness;  // G, rotations in units of the extent
-    base::Matrix springs;    // S, its share of springs of boundaries
+    base::Matrix springs;    // of boundaries, rotations as they are; empty: none
     base::Matrix free;       // V
   };
   std::vector<Body> bodies_;

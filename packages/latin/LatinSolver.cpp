@@ -104,12 +104,6 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const bool mayMatter = RoundOff(fixedPoint_, responses_).mayMatter(iterate, options_.accuracy);
   const Certificate::Result attempt = certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + stageLimit());
   if (attempt.conclusive) estimates_ = attempt.estimates;
-  if (attempt.lostBody >= 0) {
-    stagesOfCertificates_ += stages() - before;
-    result.outcome = Outcome::roundOff;
-    result.reason = describeLostBody(assembly_.bodies[attempt.lostBody].partName());
-    return true;
-  }
   // Where a claim fails although errors are known, or laws have no kinks, round-off may be why: once is enough.
   const bool isSuspected = attempt.conclusive || fixedPoint_.assembly().isAffine();
   const bool mustKnow = mayMatter && (attempt.claimed || (isSuspected && !knowsRoundOff_));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include <harmos/laws/AffineComponent.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -36,10 +38,7 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
   }
   // Nothing has moved yet: anything small will do.
   if (jump == 0.0) jump = length;
-  // What is affine has the same tangent everywhere, and the larger the difference, the more digits.
-  const double difference = interface.law->isAffine() ? std::max(jump, traction)
-                                                      : std::clamp(differenceOfForces * traction,
-                                                                   leastDifference * jump, largestDifference * jump);
+  const double difference = std::clamp(differenceOfForces * traction, leastDifference * jump, largestDifference * jump);
   std::vector<base::Frame>& tangents = tangents_[interfaceIndex];
   tangents.assign(pairs, {});
   std::vector<laws::LocalLine> shifted(lines);
@@ -67,6 +66,18 @@ void PairTangents::differentiate(int interfaceIndex, int step, const std::vector
     if (isLocal) tangents[p] = base::turnedBack(interface.frame[p], tangents[p]);
     for (base::Vector3& row : tangents[p]) row = (lines[p].compliance / interface.sides()) * row;
   }
+}
+
+base::Frame PairTangents::exactly(int interfaceIndex, int pair, double compliance) const {
+  const assembly::Interface& interface = assembly_.interfaces[interfaceIndex];
+  if (!interface.law->isAffine()) return of(interfaceIndex, pair);
+  const auto components = laws::affineComponents(*interface.law, step_, compliance);
+  base::Frame result{};
+  for (std::size_t c = 0; c < static_cast<std::size_t>(assembly_.dimension); ++c) {
+    const double k = components[c].stiffness * compliance;
+    result[c][c] = (std::isinf(k) ? 1.0 : k / (1.0 + k)) / interface.sides();
+  }
+  return interface.law->frame() == laws::Frame::interface ? base::turnedBack(interface.frame[pair], result) : result;
 }
 
 base::Frame PairTangents::of(int interfaceIndex, int pair) const {

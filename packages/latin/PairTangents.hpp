@@ -27,6 +27,9 @@ class PairTangents {
   /// D of a pair of an interface with a side on this rank, in (x, y, z): f1^ changes by D (beta1 - beta2) [-]. That of
   /// a perfect joint, of laws over whole faces. Not collective.
   base::Frame of(int interfaceIndex, int pair) const;
+  /// The same in all digits where the law is affine: D = H k / (1 + H k) over the number of sides, k the stiffness of a
+  /// component, H the compliance [length/stress] of the line of the pair. Not collective.
+  base::Frame exactly(int interfaceIndex, int pair, double compliance) const;
   /// Replaces the tangents dt/d(free jump) of all pairs by their transposes; those of laws over whole faces are
   /// symmetric. Not collective.
   void transpose();

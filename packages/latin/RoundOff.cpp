@@ -26,6 +26,8 @@ constexpr double safety = 2.0;
 constexpr double safetyOfSolutions = 4.0;
 // What a correction may add to what the first linear stage shows, unless a motion of the parts is resisted by less.
 constexpr double afterOneStage = 30.0;
+// What another draw may come to, over the first one.
+constexpr double betweenDraws = 10.0;
 // Of the accuracy: less is not worth a correction.
 constexpr double negligible = 0.1;
 constexpr double target = 0.1;
@@ -118,12 +120,15 @@ RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix
       base::Matrix state(alpha);
       CausalCorrection::Goal goal{target};
       goal.isLater = true;
-      CausalCorrection(fixedPoint_).correct(*moved, state, image, goal, maximumStages);
+      const CausalCorrection::Result step =
+          CausalCorrection(fixedPoint_).correct(*moved, state, image, goal, maximumStages);
       errors = before.distance(Snapshot(fixedPoint_.apply(state, image), responses_));
+      // It knows of motions that they move farther than it can follow.
+      if (std::isinf(step.hidden)) std::fill(errors.begin(), errors.end(), 1.0 / factor);
     }
     result.errors.resize(errors.size(), 0.0);
     for (std::size_t i = 0; i < errors.size(); ++i) result.errors[i] = std::max(result.errors[i], factor * errors[i]);
-    if (isEnough) break;
+    if (isEnough || largest(result.errors) * betweenDraws <= negligible * accuracy) break;
   }
   const std::vector<double> ofSolutions = solutionErrors();
   const auto worst = std::max_element(ofSolutions.begin(), ofSolutions.end());
@@ -140,13 +145,6 @@ std::string describeFarMotions(double error) {
        << error << " of the largest; ask for an accuracy of " << error / shareOfRoundOff
        << " or more, or let gaps and ways be smaller";
   return text.str();
-}
-
-std::string describeLostBody(const std::string& part) {
-  return "double precision does not tell how part \"" + part +
-         "\" moves: nothing resists one of its motions but springs of boundaries that are more than a million times "
-         "softer than what the part presses against; make them stiffer, or hold that motion (\"Prescribed "
-         "Displacement\", \"Symmetry\")";
 }
 
 std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::string>& names,

@@ -36,14 +36,6 @@ Matrix product(const base::Frame& d, const Matrix& x) {
   return y;
 }
 
-/// y = x^T A x.
-Matrix inMotions(const Matrix& a, const Matrix& x) {
-  Matrix ax(a.numRows(), x.numCols()), y(x.numCols(), x.numCols());
-  ax.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, a, x, 0.0);
-  y.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, x, ax, 0.0);
-  return y;
-}
-
 /// Whether all eigenvalues of a symmetric matrix are above a limit.
 bool areAbove(Matrix matrix, double limit) {
   for (int i = 0; i < matrix.numRows(); ++i) matrix(i, i) -= limit;
@@ -88,7 +80,11 @@ std::vector<SoftMotions::Motion> SoftMotions::find(const PairTangents& tangents,
     }
   }
   Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_SUM, count * count, mine.values(), resistance.values());
-  resistance += clusters_.resistedByBoundaries();
+  if (clusters_.haveSprings()) {
+    Matrix all(count, count);
+    for (int i = 0; i < count; ++i) all(i, i) = 1.0;
+    resistance += squaresOfSprings(all);
+  }
   if (areAbove(resistance, limit * limit)) return result;
   const std::vector<double> squares = symmetricEigen(resistance);
   const auto soft = static_cast<int>(
@@ -97,7 +93,8 @@ std::vector<SoftMotions::Motion> SoftMotions::find(const PairTangents& tangents,
   const std::vector<double> resistances = resolve(tangents, motions);
   const Matrix roundOff = squaresOf(motions, [&](int i, int p) { return roundOffOf(tangents, i, p); });
   for (int j = 0; j < soft; ++j) {
-    if (resistances[j] < std::max(noResistance, std::sqrt(roundOff(j, j)))) continue;
+    const double unknown = std::max({noResistance, std::sqrt(roundOff(j, j)), clusters_.roundOffOf(motions[j])});
+    if (resistances[j] < unknown) continue;
     result.push_back({resistances[j], std::vector<double>(motions[j], motions[j] + count)});
   }
   return result;
@@ -107,8 +104,8 @@ std::vector<double> SoftMotions::resolve(const PairTangents& tangents, Matrix& m
   std::vector<double> resistances(static_cast<std::size_t>(motions.numCols()), 0.0);
   for (int left = motions.numCols(); left > 0;) {
     const Matrix softest(Teuchos::Copy, motions, motions.numRows(), left);
-    Matrix turned = squaresOf(softest, [&](int i, int p) { return tangents.of(i, p); });
-    turned += inMotions(clusters_.resistedByBoundaries(), softest);
+    Matrix turned = squaresOf(softest, [&](int i, int p) { return tangentOf(tangents, i, p); });
+    if (clusters_.haveSprings()) turned += squaresOfSprings(softest);
     const std::vector<double> squares = symmetricEigen(turned);
     Matrix(Teuchos::View, motions, motions.numRows(), left)
         .multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, softest, turned, 0.0);
@@ -138,6 +135,11 @@ Matrix SoftMotions::squaresOf(const Matrix& motions, const std::function<base::F
   return squares;
 }
 
+base::Frame SoftMotions::tangentOf(const PairTangents& tangents, int interfaceIndex, int pair) const {
+  const double k = fixedPoint_.searchDirection().of(interfaceIndex)[pair];
+  return tangents.exactly(interfaceIndex, pair, fixedPoint_.assembly().interfaces[interfaceIndex].sides() / k);
+}
+
 base::Frame SoftMotions::roundOffOf(const PairTangents& tangents, int interfaceIndex, int pair) const {
   const assembly::Interface& interface = fixedPoint_.assembly().interfaces[interfaceIndex];
   base::Frame result{};
@@ -154,27 +156,92 @@ base::Frame SoftMotions::roundOffOf(const PairTangents& tangents, int interfaceI
 
 bool SoftMotions::isLeftToLaws(const Motion& motion) const {
   if (fixedPoint_.assembly().path) return false;
-  Matrix shares(clusters_.size(), 1);
-  std::copy(motion.shares.begin(), motion.shares.end(), shares[0]);
-  return std::sqrt(inMotions(clusters_.resistedByBoundaries(), shares)(0, 0)) <= negligible * motion.resistance;
+  if (!clusters_.haveSprings()) return true;
+  return std::sqrt(squaresOfSprings(column(motion))(0, 0)) <= negligible * motion.resistance;
 }
 
-std::vector<double> SoftMotions::state(const Motion& motion) const {
-  const TraceLayout& layout = fixedPoint_.layout();
-  std::vector<double> alpha(static_cast<std::size_t>(layout.rows()), 0.0);
-  for (const TraceLayout::Block& block : layout.blocks()) {
-    const int first = clusters_.first(block.body);
-    for (int p = 0; p < block.pairs; ++p) {
-      const Matrix motions = clusters_.at(fixedPoint_.assembly().interfaces[block.interface], block.side, p);
-      for (int c = 0; c < motions.numRows(); ++c) {
-        const int row = block.begin + p * motions.numRows() + c;
-        for (int j = 0; j < motions.numCols(); ++j) {
-          alpha[row] += layout.stiffness()[row] * motions(c, j) * motion.shares[first + j];
+std::vector<double> SoftMotions::added(const Motion& motion) const {
+  std::vector<double> result(static_cast<std::size_t>(fixedPoint_.layout().rows()), 0.0);
+  if (!clusters_.haveSprings()) return result;
+  const Matrix shares = column(motion);
+  onEachSide(
+      [&](int interface, int side, int pair) {
+        return clusters_.addedAt(fixedPoint_.assembly().interfaces[interface], pair, shares)[side];
+      },
+      result);
+  return result;
+}
+
+std::vector<double> SoftMotions::change(const PairTangents& tangents, const Motion& motion) const {
+  std::vector<double> result(static_cast<std::size_t>(fixedPoint_.layout().rows()), 0.0);
+  const Matrix shares = column(motion);
+  onEachSide(
+      [&](int i, int side, int pair) {
+        const assembly::Interface& interface = fixedPoint_.assembly().interfaces[i];
+        Matrix jump = clusters_.jump(interface, pair, shares), added(jump.numRows(), 1);
+        if (clusters_.haveSprings()) {
+          const auto ofSides = clusters_.addedAt(interface, pair, shares);
+          added = ofSides[side];
+          jump -= ofSides[0];
+          if (interface.sides() == 2) jump += ofSides[1];
         }
+        Matrix answer = product(tangentOf(tangents, i, pair), jump);
+        answer *= side == 0 ? 2.0 : -2.0;
+        answer += added;
+        return answer;
+      },
+      result);
+  return result;
+}
+
+Matrix SoftMotions::squaresOfSprings(const Matrix& motions) const {
+  const assembly::Assembly& assembly = fixedPoint_.assembly();
+  const TraceLayout& layout = fixedPoint_.layout();
+  Matrix mine(motions.numCols(), motions.numCols()), squares(mine);
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const assembly::Interface& interface = assembly.interfaces[i];
+    if (layout.begin(static_cast<int>(i), 0) < 0) continue;
+    for (int p = 0; p < interface.pairs(); ++p) {
+      const double weight = interface.area[p] * fixedPoint_.searchDirection().of(static_cast<int>(i))[p];
+      const auto added = clusters_.addedAt(interface, p, motions);
+      for (int side = 0; side < interface.sides(); ++side) {
+        mine.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, weight, added[side], added[side], 1.0);
       }
     }
   }
+  Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_SUM, mine.numCols() * mine.numCols(), mine.values(),
+                     squares.values());
+  return squares;
+}
+
+std::vector<double> SoftMotions::state(const Motion& motion) const {
+  std::vector<double> alpha(static_cast<std::size_t>(fixedPoint_.layout().rows()), 0.0);
+  const Matrix shares = column(motion);
+  onEachSide(
+      [&](int interface, int side, int pair) {
+        return clusters_.onSide(fixedPoint_.assembly().interfaces[interface], side, pair, shares);
+      },
+      alpha);
   return alpha;
+}
+
+Matrix SoftMotions::column(const Motion& motion) const {
+  Matrix shares(clusters_.size(), 1);
+  std::copy(motion.shares.begin(), motion.shares.end(), shares[0]);
+  return shares;
+}
+
+void SoftMotions::onEachSide(const std::function<Matrix(int, int, int)>& way, std::vector<double>& rows) const {
+  const TraceLayout& layout = fixedPoint_.layout();
+  for (const TraceLayout::Block& block : layout.blocks()) {
+    for (int p = 0; p < block.pairs; ++p) {
+      const Matrix x = way(block.interface, block.side, p);
+      for (int c = 0; c < x.numRows(); ++c) {
+        const int row = block.begin + p * x.numRows() + c;
+        rows[row] = layout.stiffness()[row] * x(c, 0);
+      }
+    }
+  }
 }
 
 }  // namespace harmos::latin

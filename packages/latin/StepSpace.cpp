@@ -1,7 +1,6 @@
 #include <harmos/latin/detail/StepSpace.hpp>
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -48,12 +47,9 @@ void StepSpace::differentiate(int step) {
   isStale_ = false;
   soft_.clear();
   faint_.clear();
-  lost_ = -1;
   for (SoftMotions::Motion& motion : softMotions_.find(tangent_->tangents(), soft)) {
-    if (motion.resistance < faintest && softMotions_.isLeftToLaws(motion)) {
+    if (motion.resistance < (softMotions_.isLeftToLaws(motion) ? faintest : lost)) {
       faint_.push_back(faint(motion));
-    } else if (motion.resistance < lost) {
-      lost_ = softMotions_.mostMoved(motion);
     } else if (!holds(motion)) {
       soft_.push_back(std::move(motion));
     }
@@ -61,14 +57,16 @@ void StepSpace::differentiate(int step) {
 }
 
 StepSpace::Faint StepSpace::faint(const SoftMotions::Motion& motion) const {
-  Faint result;
-  result.state = softMotions_.state(motion);
-  const int rows = space().rows();
-  base::Matrix state(rows, 1), answer(rows, 1);
-  std::copy(result.state.begin(), result.state.end(), state[0]);
-  tangent_->tangents().apply(state, answer);
-  const double factor = 2.0 / (motion.resistance * motion.resistance);
-  std::transform(answer[0], answer[0] + rows, std::back_inserter(result.change), [=](double x) { return factor * x; });
+  const StateMetric& metric = fixedPoint_.metric();
+  Faint result{softMotions_.state(motion), softMotions_.added(motion),
+               softMotions_.change(tangent_->tangents(), motion)};
+  std::vector<double> square{0.0};
+  for (std::size_t row = 0; row < result.state.size(); ++row) {
+    square[0] += metric.scale()[row] * metric.scale()[row] * result.change[row] * result.change[row];
+    result.image[row] -= result.state[row];
+  }
+  metric.sum(square);
+  for (double& x : result.change) x /= square[0];
   return result;
 }
 
@@ -84,7 +82,7 @@ void StepSpace::moveAlongFaint(const double* residual, double* alpha, double* be
   for (std::size_t i = 0; i < faint_.size(); ++i) {
     for (std::size_t row = 0; row < scale.size(); ++row) {
       alpha[row] += ways[i] * faint_[i].state[row];
-      beta[row] -= ways[i] * faint_[i].state[row];
+      beta[row] += ways[i] * faint_[i].image[row];
     }
   }
 }

@@ -93,16 +93,23 @@ TEST(SoftFoundation, HoldsABlockOnASmoothContact) {
   }
 }
 
-// What the springs make of the way of the block is less than round-off.
+// What softer springs make of the way of the block is less than round-off in the end; then it is not said. With none at
+// all the block goes aside by 0.34.
 TEST(SoftFoundation, IsRefusedWhereItsSpringsAreLost) {
   SceneInput scene = SceneInput::fromFile("contact_on_foundation.xml");
-  for (const std::string which : {"Normal", "Tangential"}) {
-    scene.set("Boundaries/beside the upper one/Law/" + which + " Stiffness=1e-12");
+  scene.set("Solver/Accuracy=1e-3");
+  for (const double stiffness : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13}) {
+    SCOPED_TRACE(stiffness);
+    for (const std::string which : {"Normal", "Tangential"}) {
+      scene.set(assignment("Boundaries/beside the upper one/Law/" + which + " Stiffness", stiffness));
+    }
+    const SolvedRun run(scene);
+    if (run.isCertified()) {
+      EXPECT_NEAR(run.value("aside"), -0.34, 0.02);
+    } else {
+      EXPECT_NE(run.result().reason.find("double precision"), std::string::npos) << run.result().reason;
+    }
   }
-  const SolvedRun run(scene);
-  EXPECT_FALSE(run.isCertified());
-  EXPECT_NE(run.result().reason.find("does not tell how part \"upper\" moves"), std::string::npos)
-      << run.result().reason;
 }
 
 // The volume hardly changes; without B-bar the elements lock, which is hard for any k: it may remain uncertified.

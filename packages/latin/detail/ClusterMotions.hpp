@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <harmos/base/Matrix.hpp>
@@ -25,21 +26,32 @@ class ClusterMotions {
   int size() const { return motions_; }
   /// The first motion of the cluster of a body.
   int first(int body) const { return clusters_[clusterOf_[body]].first; }
-  /// A body of the cluster that a motion of all clusters moves most. `shares`: of their motions.
-  int mostMoved(const std::vector<double>& shares) const;
+  /// By how much a motion of all clusters of norm 1, given by its shares, may be another one [-]: what boundaries leave
+  /// of a partly held body is known to the digits that stiff ones leave of the others.
+  double roundOffOf(const double* shares) const;
   /// The motions of the cluster of a side, R at a pair [length], a column each.
   base::Matrix at(const assembly::Interface& interface, int side, int pair) const;
+  /// R of motions of all clusters on a side [length], a column each.
+  base::Matrix onSide(const assembly::Interface& interface, int side, int pair, const base::Matrix& motions) const;
   /// R1 - R2 [length] of motions of all clusters, a column each.
   base::Matrix jump(const assembly::Interface& interface, int pair, const base::Matrix& motions) const;
-  /// What eliminated boundaries resist them by, squared: HeldMotions::squaredResistance(), size() x size().
-  const base::Matrix& resistedByBoundaries() const { return resisted_; }
+  /// What springs of eliminated boundaries add at a pair, one motion of all clusters a column, to the image -k R of
+  /// alpha = k R on each side [length, times k], or on the only one. Rigid bodies with springs S, and with the forces
+  /// of the linear stage, of interfaces whose resultants the macro problem balances, answer R with R - q, q = (L +
+  /// S)^-1 S R, R^T L R = sum over pairs of h k |R1 - R2|^2 / 2, of one side h k |R|^2; so 3/2 q1 - 1/2 q2 is added on
+  /// side 1, and the like on side 2, 2 q where there is but one.
+  std::array<base::Matrix, 2> addedAt(const assembly::Interface& interface, int pair,
+                                      const base::Matrix& motions) const;
+  /// Whether there are such springs.
+  bool haveSprings() const { return answers_.numRows() > 0; }
 
  private:
   struct Cluster {
     std::vector<int> bodies;
     base::Vector3 centre{};
-    double size = 0.0;    // [length]
-    int first = 0;        // number of its first motion
+    double size = 0.0;  // [length]
+    int first = 0;      // number of its first motion
+    bool isPartlyHeld = false;
     base::Matrix shapes;  // translation [length] and rotation times the size, one motion per column
   };
 
@@ -50,13 +62,16 @@ class ClusterMotions {
   static void normalise(Cluster& cluster, base::Matrix squares);
   /// The shapes of a cluster, as motions of one of its bodies about its own centre.
   base::Matrix shapesOf(int body, const Cluster& cluster) const;
-  base::Matrix resistedByBoundaries(const Cluster& cluster) const;
+  /// S of the springs of eliminated boundaries, size() x size().
+  base::Matrix springs() const;
+  /// L, see addedAt().
+  base::Matrix ofInterfaces() const;
 
   const FixedPoint& fixedPoint_;
   std::vector<Cluster> clusters_;
   std::vector<int> clusterOf_;  // per body
   int motions_ = 0;             // of all clusters
-  base::Matrix resisted_;
+  base::Matrix answers_;        // (L + S)^-1 S; empty: no springs
 };
 
 }  // namespace harmos::latin

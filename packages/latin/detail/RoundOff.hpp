@@ -54,9 +54,6 @@ std::string describe(const RoundOff::Estimate& estimate, const std::vector<std::
 /// The same where parts have moved so far that their forces are known to `error` [-] only.
 std::string describeFarMotions(double error);
 
-/// The same where springs of boundaries resist a motion of a part by too little.
-std::string describeLostBody(const std::string& part);
-
 /// Of the accuracy, what round-off may take at most where the rest is not known to suffice.
 inline constexpr double shareOfRoundOff = 0.5;
 

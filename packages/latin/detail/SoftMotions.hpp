@@ -17,10 +17,11 @@ namespace harmos::latin {
 /// What moves by R [length], the bodies of a cluster that perfect joints make one, has alpha = k R, and its image is
 /// beta = -k R: no body resists. With D the tangents df^/dbeta of pairs, I - J makes of it 2 D k (R1 - R2) on side 1
 /// and as much on side 2, back; so the resistance of motions is
-///   s^2 = (sum over pairs of 4 n h k |D (R1 - R2)|^2 + R^T E R) / (sum over sides of h k |R|^2),
-/// n the sides of the interface, no less than the square of the smallest singular value of I - J in the metric of
-/// states; E: ClusterMotions::resistedByBoundaries(). k: [stress/length], h: [area], D: [-], s: [-]. Motions that
-/// eliminated boundaries hold are left out. Laws over whole faces count as perfect. Limit: as ClusterMotions.
+///   s^2 = (sum over pairs of 4 n h k |D (R1 - R2)|^2 + sum over sides of h k |b|^2) / (sum over sides of h k |R|^2),
+/// n the sides of the interface, k b what springs of eliminated boundaries add to the image; but for the small product
+/// of both no less than the square of the smallest singular value of I - J in the metric of states. k: [stress/length],
+/// h: [area], D: [-], s: [-]. Motions that eliminated boundaries hold are left out. Laws over whole faces count as
+/// perfect. Limit: as ClusterMotions.
 class SoftMotions {
  public:
   /// A motion of all parts together.
@@ -35,20 +36,32 @@ class SoftMotions {
   /// Collective. Those at a load step with these tangents that are resisted by less than `limit` [-], but not by
   /// nothing or the round-off of tangents, orthogonal to each other; the softest first. The same on every rank.
   std::vector<Motion> find(const PairTangents& tangents, double limit) const;
-  /// Whether nothing but laws resists a motion, in all its digits, so that the image of alpha = k R is -k R. Not
-  /// collective, and the same on every rank.
+  /// Whether nothing but laws resists a motion, in all its digits, so that the image of alpha = k R is -k R.
+  /// Collective, and the same on every rank.
   bool isLeftToLaws(const Motion& motion) const;
-  /// A body that it moves as far as any other, in the metric of states. Not collective, and the same on every rank.
-  int mostMoved(const Motion& motion) const { return clusters_.mostMoved(motion.shares); }
   /// alpha = k R [stress], rows of the layout on this rank, of norm 1. Not collective.
   std::vector<double> state(const Motion& motion) const;
+  /// What springs of eliminated boundaries add to its image -k R: ClusterMotions::addedAt() times k [stress], rows of
+  /// the layout on this rank. Not collective.
+  std::vector<double> added(const Motion& motion) const;
+  /// What I - J makes of it [stress], u = k b + 2 D k ((R1 - b1) - (R2 - b2)) on side 1, the second share back on side
+  /// 2, rows of the layout on this rank. Not collective.
+  std::vector<double> change(const PairTangents& tangents, const Motion& motion) const;
 
  private:
   /// Turns motions in the space that they span, so that their resistances, which it returns in ascending order, have
   /// their digits however small they are beside each other.
   std::vector<double> resolve(const PairTangents& tangents, base::Matrix& motions) const;
+  /// Sum over sides of h k b^T b, of all ranks.
+  base::Matrix squaresOfSprings(const base::Matrix& motions) const;
   /// Sum over pairs of 4 n h k (D (R1 - R2))^T D (R1 - R2), of all ranks, with the D of an interface and a pair.
   base::Matrix squaresOf(const base::Matrix& motions, const std::function<base::Frame(int, int)>& tangent) const;
+  /// D of a pair, in all its digits where the law is affine.
+  base::Frame tangentOf(const PairTangents& tangents, int interfaceIndex, int pair) const;
+  /// Shares of a motion, a column.
+  base::Matrix column(const Motion& motion) const;
+  /// k x [stress] of all rows of the layout, x [length] of an interface, a side and a pair.
+  void onEachSide(const std::function<base::Matrix(int, int, int)>& way, std::vector<double>& rows) const;
   /// What of the tangent of a pair may be round-off: a number for the axes of the law that answer at all.
   base::Frame roundOffOf(const PairTangents& tangents, int interfaceIndex, int pair) const;
 

@@ -19,12 +19,9 @@ class StepSpace {
   /// Collective. Whether there are motions that are resisted by so little that images of directions cannot tell, as far
   /// as they have been looked for.
   bool hasFaintMotions() const { return !faint_.empty(); }
-  /// A body that can move so that boundaries resist it by too little for images of directions to tell, and nothing else
-  /// does; -1: there is none. Not collective, and the same on every rank.
-  int lostBody() const { return lost_; }
   /// Collective. Moves a state alpha with its beta, rows of the layout, along these as far as its residual R asks for:
-  /// of alpha = k R, with the image -k R, I - J makes u = 2 D k R of norm s, so that alpha += a k R and beta -= a k R
-  /// with a = u.R / s^2.
+  /// of v = k R, with the image y = -k R (and SoftMotions::added(), which knows rigid bodies only), I - J makes u = v +
+  /// y - 2 D y, so that alpha += a v and beta += a y with a = u.R / |u|^2.
   void moveAlongFaint(const double* residual, double* alpha, double* beta) const;
 
   /// Whether there are directions and tangents.
@@ -60,7 +57,7 @@ class StepSpace {
  private:
   /// A motion that the space leaves to moveAlongFaint().
   struct Faint {
-    std::vector<double> state, change;  // k R and u / s^2, rows of the layout
+    std::vector<double> state, image, change;  // v, y and u / |u|^2, rows of the layout
   };
   bool holds(const SoftMotions::Motion& motion) const;
   Faint faint(const SoftMotions::Motion& motion) const;
@@ -72,7 +69,6 @@ class StepSpace {
   double closed_ = 1.0;                    // smallest singular value of the spaces that were let go of
   std::vector<SoftMotions::Motion> soft_;  // of the tangents, not held; the softest first
   std::vector<Faint> faint_;
-  int lost_ = -1;  // body
 };
 
 }  // namespace harmos::latin

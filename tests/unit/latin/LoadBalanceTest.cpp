@@ -119,7 +119,8 @@ TEST(LoadBalance, FindsLikeLoadsAmongManyLoadSteps) {
   const int ways = 50000, steps = 3 * ways;
   std::vector<double> x, z;
   for (int t = 0; t < steps; ++t) {
-    const double angle = 3.0 * (t % ways) / ways, factor = 1.0 + t / ways;
+    const int round = t / ways;
+    const double angle = 3.0 * (t % ways) / ways, factor = 1.0 + round;
     x.push_back(factor * std::cos(angle));
     z.push_back(factor * std::sin(angle));
   }
