@@ -34,12 +34,12 @@ struct ResponseGradient {
 
 /// What the time of an evaluation goes with, at one load step.
 struct ResponseWork {
-  double nodes = 0.0;  ///< displacements that are read, and tractions of boundaries, which may be reactions
-  double pairs = 0.0;  ///< of interfaces between two bodies, that are read
-  /// Nodes at which stress is recovered from linear elements, or as many as take this time; and of these the most that
-  /// are at once.
-  double recovered = 0.0, together = 0.0;
+  double nodes = 0.0;      ///< displacements that are read, and tractions of boundaries, which may be reactions
+  double pairs = 0.0;      ///< of interfaces between two bodies, that are read
+  double recovered = 0.0;  ///< nodes at which stress is recovered from linear elements, or as many as take this time
+  double together = 0.0;   ///< the most of these at once
 
+  /// Adds what another response takes; nodes that are recovered at once are those of one response.
   ResponseWork& operator+=(const ResponseWork& other);
 };
 
