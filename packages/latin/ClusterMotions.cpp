@@ -179,12 +179,15 @@ Matrix ClusterMotions::ofInterfaces() const {
   return result;
 }
 
-std::array<Matrix, 2> ClusterMotions::addedAt(const assembly::Interface& interface, int pair,
-                                              const Matrix& motions) const {
-  Matrix answers(motions_, motions.numCols());
-  answers.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, answers_, motions, 0.0);
+Matrix ClusterMotions::lacking(const Matrix& motions) const {
+  Matrix q(motions_, motions.numCols());
+  if (haveSprings()) q.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, answers_, motions, 0.0);
+  return q;
+}
+
+std::array<Matrix, 2> ClusterMotions::addedAt(const assembly::Interface& interface, int pair, const Matrix& q) const {
   std::array<Matrix, 2> added;
-  for (int side = 0; side < interface.sides(); ++side) added[side] = onSide(interface, side, pair, answers);
+  for (int side = 0; side < interface.sides(); ++side) added[side] = onSide(interface, side, pair, q);
   if (interface.sides() == 1) {
     added[0] *= 2.0;
     return added;

@@ -46,6 +46,13 @@ bool areAbove(Matrix matrix, double limit) {
 
 }  // namespace
 
+SoftMotions::SoftMotions(const FixedPoint& fixedPoint) : fixedPoint_(fixedPoint), clusters_(fixedPoint) {
+  if (!clusters_.haveSprings()) return;
+  Matrix all(clusters_.size(), clusters_.size());
+  for (int i = 0; i < clusters_.size(); ++i) all(i, i) = 1.0;
+  ofSprings_ = squaresOfSprings(all);
+}
+
 std::vector<SoftMotions::Motion> SoftMotions::find(const PairTangents& tangents, double limit) const {
   std::vector<Motion> result;
   const int count = clusters_.size();
@@ -80,11 +87,7 @@ std::vector<SoftMotions::Motion> SoftMotions::find(const PairTangents& tangents,
     }
   }
   Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_SUM, count * count, mine.values(), resistance.values());
-  if (clusters_.haveSprings()) {
-    Matrix all(count, count);
-    for (int i = 0; i < count; ++i) all(i, i) = 1.0;
-    resistance += squaresOfSprings(all);
-  }
+  if (clusters_.haveSprings()) resistance += ofSprings_;
   if (areAbove(resistance, limit * limit)) return result;
   const std::vector<double> squares = symmetricEigen(resistance);
   const auto soft = static_cast<int>(
@@ -163,24 +166,22 @@ bool SoftMotions::isLeftToLaws(const Motion& motion) const {
 std::vector<double> SoftMotions::added(const Motion& motion) const {
   std::vector<double> result(static_cast<std::size_t>(fixedPoint_.layout().rows()), 0.0);
   if (!clusters_.haveSprings()) return result;
-  const Matrix shares = column(motion);
-  onEachSide(
-      [&](int interface, int side, int pair) {
-        return clusters_.addedAt(fixedPoint_.assembly().interfaces[interface], pair, shares)[side];
-      },
-      result);
+  const Matrix q = clusters_.lacking(column(motion));
+  onEachSide([&](int interface, int side,
+                 int pair) { return clusters_.addedAt(fixedPoint_.assembly().interfaces[interface], pair, q)[side]; },
+             result);
   return result;
 }
 
 std::vector<double> SoftMotions::change(const PairTangents& tangents, const Motion& motion) const {
   std::vector<double> result(static_cast<std::size_t>(fixedPoint_.layout().rows()), 0.0);
-  const Matrix shares = column(motion);
+  const Matrix shares = column(motion), q = clusters_.lacking(shares);
   onEachSide(
       [&](int i, int side, int pair) {
         const assembly::Interface& interface = fixedPoint_.assembly().interfaces[i];
         Matrix jump = clusters_.jump(interface, pair, shares), added(jump.numRows(), 1);
         if (clusters_.haveSprings()) {
-          const auto ofSides = clusters_.addedAt(interface, pair, shares);
+          const auto ofSides = clusters_.addedAt(interface, pair, q);
           added = ofSides[side];
           jump -= ofSides[0];
           if (interface.sides() == 2) jump += ofSides[1];
@@ -196,21 +197,19 @@ std::vector<double> SoftMotions::change(const PairTangents& tangents, const Moti
 
 Matrix SoftMotions::squaresOfSprings(const Matrix& motions) const {
   const assembly::Assembly& assembly = fixedPoint_.assembly();
-  const TraceLayout& layout = fixedPoint_.layout();
-  Matrix mine(motions.numCols(), motions.numCols()), squares(mine);
+  const Matrix q = clusters_.lacking(motions);
+  Matrix squares(motions.numCols(), motions.numCols());
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const assembly::Interface& interface = assembly.interfaces[i];
-    if (layout.begin(static_cast<int>(i), 0) < 0) continue;
+    if (interface.law->prescribesTraction() || fixedPoint_.eliminated().contains(static_cast<int>(i))) continue;
     for (int p = 0; p < interface.pairs(); ++p) {
       const double weight = interface.area[p] * fixedPoint_.searchDirection().of(static_cast<int>(i))[p];
-      const auto added = clusters_.addedAt(interface, p, motions);
+      const auto added = clusters_.addedAt(interface, p, q);
       for (int side = 0; side < interface.sides(); ++side) {
-        mine.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, weight, added[side], added[side], 1.0);
+        squares.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, weight, added[side], added[side], 1.0);
       }
     }
   }
-  Teuchos::reduceAll(layout.comm(), Teuchos::REDUCE_SUM, mine.numCols() * mine.numCols(), mine.values(),
-                     squares.values());
   return squares;
 }
 

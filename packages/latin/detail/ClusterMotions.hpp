@@ -35,13 +35,13 @@ class ClusterMotions {
   base::Matrix onSide(const assembly::Interface& interface, int side, int pair, const base::Matrix& motions) const;
   /// R1 - R2 [length] of motions of all clusters, a column each.
   base::Matrix jump(const assembly::Interface& interface, int pair, const base::Matrix& motions) const;
-  /// What springs of eliminated boundaries add at a pair, one motion of all clusters a column, to the image -k R of
-  /// alpha = k R on each side [length, times k], or on the only one. Rigid bodies with springs S, and with the forces
-  /// of the linear stage, of interfaces whose resultants the macro problem balances, answer R with R - q, q = (L +
-  /// S)^-1 S R, R^T L R = sum over pairs of h k |R1 - R2|^2 / 2, of one side h k |R|^2; so 3/2 q1 - 1/2 q2 is added on
+  /// q = (L + S)^-1 S R of motions of all clusters, a column each, as shares of them: where alpha = k R drives rigid
+  /// bodies with springs S of eliminated boundaries, they lack so much of R. R^T L R = sum over pairs of h k |R1 -
+  /// R2|^2 / 2, of one side h k |R|^2: the forces of the linear stage, whose resultants the macro problem balances.
+  base::Matrix lacking(const base::Matrix& motions) const;
+  /// What is added at a pair to the image -k R then [length, times k], a column for each of such q: 3/2 q1 - 1/2 q2 on
   /// side 1, and the like on side 2, 2 q where there is but one.
-  std::array<base::Matrix, 2> addedAt(const assembly::Interface& interface, int pair,
-                                      const base::Matrix& motions) const;
+  std::array<base::Matrix, 2> addedAt(const assembly::Interface& interface, int pair, const base::Matrix& q) const;
   /// Whether there are such springs.
   bool haveSprings() const { return answers_.numRows() > 0; }
 
@@ -64,7 +64,7 @@ class ClusterMotions {
   base::Matrix shapesOf(int body, const Cluster& cluster) const;
   /// S of the springs of eliminated boundaries, size() x size().
   base::Matrix springs() const;
-  /// L, see addedAt().
+  /// L, see lacking().
   base::Matrix ofInterfaces() const;
 
   const FixedPoint& fixedPoint_;

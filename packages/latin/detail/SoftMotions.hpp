@@ -31,13 +31,13 @@ class SoftMotions {
   };
 
   /// Not collective. `fixedPoint` must outlive it.
-  explicit SoftMotions(const FixedPoint& fixedPoint) : fixedPoint_(fixedPoint), clusters_(fixedPoint) {}
+  explicit SoftMotions(const FixedPoint& fixedPoint);
 
   /// Collective. Those at a load step with these tangents that are resisted by less than `limit` [-], but not by
   /// nothing or the round-off of tangents, orthogonal to each other; the softest first. The same on every rank.
   std::vector<Motion> find(const PairTangents& tangents, double limit) const;
   /// Whether nothing but laws resists a motion, in all its digits, so that the image of alpha = k R is -k R.
-  /// Collective, and the same on every rank.
+  /// Not collective, and the same on every rank.
   bool isLeftToLaws(const Motion& motion) const;
   /// alpha = k R [stress], rows of the layout on this rank, of norm 1. Not collective.
   std::vector<double> state(const Motion& motion) const;
@@ -52,7 +52,7 @@ class SoftMotions {
   /// Turns motions in the space that they span, so that their resistances, which it returns in ascending order, have
   /// their digits however small they are beside each other.
   std::vector<double> resolve(const PairTangents& tangents, base::Matrix& motions) const;
-  /// Sum over sides of h k b^T b, of all ranks.
+  /// Sum over sides of h k b^T b of motions, a column each. Not collective.
   base::Matrix squaresOfSprings(const base::Matrix& motions) const;
   /// Sum over pairs of 4 n h k (D (R1 - R2))^T D (R1 - R2), of all ranks, with the D of an interface and a pair.
   base::Matrix squaresOf(const base::Matrix& motions, const std::function<base::Frame(int, int)>& tangent) const;
@@ -67,6 +67,7 @@ class SoftMotions {
 
   const FixedPoint& fixedPoint_;
   ClusterMotions clusters_;
+  base::Matrix ofSprings_;  // squaresOfSprings() of each motion of a cluster; empty: there are none
 };
 
 }  // namespace harmos::latin
