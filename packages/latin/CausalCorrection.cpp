@@ -95,23 +95,31 @@ double CausalCorrection::evaluate(int step) {
   return fixedPoint_.selfStresses().settle(fixedPoint_.metric(), residual_[step], size, noise_, add);
 }
 
-bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
-  StepSpace& here = steps_[step];
-  double& residual = targets_[step].residual;
+bool CausalCorrection::tryMove(int step, const std::function<void(double* alpha, double* beta)>& move,
+                               const std::function<bool(double reached)>& accepts) {
   const int rows = alpha_->numRows();
   double* state = (*alpha_)[step];
   const std::vector<double> alpha(state, state + rows), beta(beta_[step], beta_[step] + rows);
+  move(state, beta_[step]);
+  const double reached = evaluate(step);
+  if (accepts(reached)) {
+    targets_[step].residual = reached;
+    return true;
+  }
+  std::copy_n(alpha.begin(), rows, state);
+  std::copy_n(beta.begin(), rows, beta_[step]);
+  return false;
+}
+
+bool CausalCorrection::takeStep(int step, const CorrectionSpace::LeastSquares& direction) {
+  StepSpace& here = steps_[step];
+  const double& residual = targets_[step].residual;
   double length = 1.0;
   for (int halving = 0; halving <= halvings; ++halving, length *= 0.5) {
-    here.space().move(direction.c, length, state, beta_[step]);
-    const double reached = evaluate(step);
-    if (reached < residual) {
-      here.setStale(length < 1.0 || reached > misprediction * direction.left);
-      residual = reached;
-      return true;
-    }
-    std::copy_n(alpha.begin(), rows, state);
-    std::copy_n(beta.begin(), rows, beta_[step]);
+    const auto move = [&](double* alpha, double* beta) { here.space().move(direction.c, length, alpha, beta); };
+    if (!tryMove(step, move, [&](double reached) { return reached < residual; })) continue;
+    here.setStale(length < 1.0 || residual > misprediction * direction.left);
+    return true;
   }
   evaluate(step);  // the local stage must have met the state that is kept
   here.setStale(true);
@@ -139,19 +147,11 @@ void CausalCorrection::settleFaintMotions(int step) {
   double& residual = targets_[step].residual;
   residual = evaluate(step);
   if (steps_[step].hasFaintMotions()) {
-    const int rows = alpha_->numRows();
-    double* state = (*alpha_)[step];
-    const std::vector<double> alpha(state, state + rows), beta(beta_[step], beta_[step] + rows);
-    steps_[step].moveAlongFaint(residual_[step], state, beta_[step]);
-    goesAstray_ = goesAstray_ || scaledNorm(fixedPoint_.metric(), state, alpha.data()) > reach_;
-    const double reached = evaluate(step);
-    if (!goesAstray_ && reached <= residual * (1.0 + unnoticed)) {
-      residual = reached;
-    } else {
-      std::copy_n(alpha.begin(), rows, state);
-      std::copy_n(beta.begin(), rows, beta_[step]);
-      evaluate(step);
-    }
+    const auto move = [&](double* alpha, double* beta) {
+      if (steps_[step].moveAlongFaint(residual_[step], alpha, beta) > reach_) goesAstray_ = true;
+    };
+    const auto accepts = [&](double reached) { return !goesAstray_ && reached <= residual * (1.0 + unnoticed); };
+    if (!tryMove(step, move, accepts)) evaluate(step);
   }
   fixedPoint_.pointwiseStage().accept();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -75,6 +76,10 @@ class CausalCorrection {
   double evaluate(int step);
   /// Gauss-Newton in the space of one load step, after those before it were settled.
   void reduce(int step);
+  /// Moves a load step if that comes to a residual |R| which `accepts`; false, and the local stage has met another
+  /// state, when not.
+  bool tryMove(int step, const std::function<void(double* alpha, double* beta)>& move,
+               const std::function<bool(double reached)>& accepts);
   /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.
   bool takeStep(int step, const CorrectionSpace::LeastSquares& direction);
   /// Moves a load step along motions that its space cannot hold, StepSpace::moveAlongFaint(), unless its residual grows

@@ -123,7 +123,7 @@ RoundOff::Estimate RoundOff::estimate(const Iterate& iterate, const base::Matrix
       const CausalCorrection::Result step =
           CausalCorrection(fixedPoint_).correct(*moved, state, image, goal, maximumStages);
       errors = before.distance(Snapshot(fixedPoint_.apply(state, image), responses_));
-      // It knows of motions that they move farther than it can follow.
+      // Motions that it is asked to follow farther than it does are not known at all.
       if (std::isinf(step.hidden)) std::fill(errors.begin(), errors.end(), 1.0 / factor);
     }
     result.errors.resize(errors.size(), 0.0);

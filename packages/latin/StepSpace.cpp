@@ -1,6 +1,7 @@
 #include <harmos/latin/detail/StepSpace.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -70,7 +71,7 @@ StepSpace::Faint StepSpace::faint(const SoftMotions::Motion& motion) const {
   return result;
 }
 
-void StepSpace::moveAlongFaint(const double* residual, double* alpha, double* beta) const {
+double StepSpace::moveAlongFaint(const double* residual, double* alpha, double* beta) const {
   const std::vector<double>& scale = fixedPoint_.metric().scale();
   std::vector<double> ways(faint_.size(), 0.0);
   for (std::size_t i = 0; i < faint_.size(); ++i) {
@@ -85,6 +86,8 @@ void StepSpace::moveAlongFaint(const double* residual, double* alpha, double* be
       beta[row] += ways[i] * faint_[i].image[row];
     }
   }
+  // The v are orthonormal.
+  return std::sqrt(std::inner_product(ways.begin(), ways.end(), ways.begin(), 0.0));
 }
 
 std::optional<std::vector<double>> StepSpace::nextMotion() {

@@ -49,10 +49,10 @@ class ClusterMotions {
   struct Cluster {
     std::vector<int> bodies;
     base::Vector3 centre{};
-    double size = 0.0;  // [length]
-    int first = 0;      // number of its first motion
-    bool isPartlyHeld = false;
-    base::Matrix shapes;  // translation [length] and rotation times the size, one motion per column
+    double size = 0.0;          // [length]
+    int first = 0;              // number of its first motion
+    bool isPartlyHeld = false;  // boundaries hold some motions of its bodies
+    base::Matrix shapes;        // translation [length] and rotation times the size, one motion per column
   };
 
   void findClusters();

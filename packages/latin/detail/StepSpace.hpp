@@ -16,13 +16,13 @@ class StepSpace {
   StepSpace(FixedPoint& fixedPoint, const SoftMotions& softMotions)
       : fixedPoint_(fixedPoint), softMotions_(softMotions) {}
 
-  /// Collective. Whether there are motions that are resisted by so little that images of directions cannot tell, as far
-  /// as they have been looked for.
+  /// Whether there are motions that are resisted by so little that images of directions cannot tell, as far as they
+  /// have been looked for. Not collective, and the same on every rank.
   bool hasFaintMotions() const { return !faint_.empty(); }
   /// Collective. Moves a state alpha with its beta, rows of the layout, along these as far as its residual R asks for:
   /// of v = k R, with the image y = -k R (and SoftMotions::added(), which knows rigid bodies only), I - J makes u = v +
-  /// y - 2 D y, so that alpha += a v and beta += a y with a = u.R / |u|^2.
-  void moveAlongFaint(const double* residual, double* alpha, double* beta) const;
+  /// y - 2 D y, so that alpha += a v and beta += a y with a = u.R / |u|^2. Returns how far that is in the metric.
+  double moveAlongFaint(const double* residual, double* alpha, double* beta) const;
 
   /// Whether there are directions and tangents.
   bool isOpen() const { return tangent_.has_value(); }

@@ -59,6 +59,17 @@ struct Mechanism {
 
 const Law load = laws::makeLaw("Prescribed Traction", {{"Z", -1.0}});
 
+/// A block on one that is held below, with a boundary beside it.
+BoxAssembly besideABoundary(const Law& joint, const Law& boundary) {
+  const std::array<int, 3> cells{2, 2, 2};
+  BoxAssembly blocks({{"a", {0, 0, 0}, {1, 1, 1}, cells}, {"b", {0, 0, 1}, {1, 1, 2}, cells}});
+  blocks.hold("under", "a_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
+  blocks.hold("beside", "b_xmin", boundary);
+  blocks.join("ab", "a_zmax", "b_zmin", joint);
+  blocks.hold("above", "b_zmax", load);
+  return blocks;
+}
+
 // The limit is far above all of them, and bodies do not resist: only springs and round-off do.
 TEST(SoftMotions, AreResistedAsTheStagesSay) {
   Mechanism cubes(twoCubes(springs(2.0, 0.5), load));
@@ -110,14 +121,9 @@ TEST(SoftMotions, AreResistedByAsMuchLessAsSpringsAreSofter) {
 // A foundation that is eliminated holds what the springs of the joint leave. Of the body only its rigid motions are
 // known, of which k is the stiffness; that it is strained as well changes the resistance by a part.
 TEST(SoftMotions, AreResistedByFoundations) {
-  const std::array<int, 3> cells{2, 2, 2};
-  BoxAssembly blocks({{"a", {0, 0, 0}, {1, 1, 1}, cells}, {"b", {0, 0, 1}, {1, 1, 2}, cells}});
-  blocks.hold("under", "a_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
-  blocks.hold("beside", "b_xmin",
-              laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 1e-3}, {"Tangential Stiffness", 2e-3}}));
-  blocks.join("ab", "a_zmax", "b_zmin", springs(1e4, 0.0));
-  blocks.hold("above", "b_zmax", load);
-  Mechanism slider(std::move(blocks));
+  Mechanism slider(besideABoundary(
+      springs(1e4, 0.0),
+      laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 1e-3}, {"Tangential Stiffness", 2e-3}})));
   const auto motions = slider.find(0.1);
   ASSERT_EQ(motions.size(), 3U);
   for (const auto& motion : motions) {
@@ -152,13 +158,7 @@ TEST(SoftMotions, LeaveOutWhatIsResistedOrNotAtAll) {
 
 // A plane of symmetry leaves the motions within it.
 TEST(SoftMotions, AreThoseThatBoundariesLeave) {
-  const std::array<int, 3> cells{2, 2, 2};
-  BoxAssembly blocks({{"a", {0, 0, 0}, {1, 1, 1}, cells}, {"b", {0, 0, 1}, {1, 1, 2}, cells}});
-  blocks.hold("under", "a_zmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}));
-  blocks.hold("symmetry", "b_xmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}}));
-  blocks.join("ab", "a_zmax", "b_zmin", springs(0.3, 0.1));
-  blocks.hold("above", "b_zmax", load);
-  Mechanism half(std::move(blocks));
+  Mechanism half(besideABoundary(springs(0.3, 0.1), laws::makeLaw("Prescribed Displacement", {{"X", 0.0}})));
   const auto motions = half.find(0.5);
   ASSERT_EQ(motions.size(), 3U);
   for (const auto& motion : motions) {
