@@ -67,7 +67,6 @@ CoupledFaces::CoupledFaces(const Assembly& assembly, int step)
     }
   }
   for (auto& [number, joint] : joints) {
-    if (joint.isRigid && !fixesItsBodies(joint)) continue;
     for (const End& end : joint.ends) {
       for (const std::size_t i : end.interfaces) isTold_[i] = true;
     }
@@ -79,16 +78,18 @@ const laws::FaceLaw* CoupledFaces::lawOf(std::size_t interface) const {
   return dynamic_cast<const laws::FaceLaw*>(assembly_.interfaces[interface].law.get());
 }
 
-bool CoupledFaces::fixesItsBodies(const Joint& joint) const {
+bool CoupledFaces::isKnown(const Joint& joint, BodyGroups& groups) const {
+  if (!joint.isRigid) return true;
   for (const End& end : joint.ends) {
-    std::map<int, std::vector<base::Vector3>> places;  // of every body
+    std::map<int, std::vector<base::Vector3>> places;  // of every group
     for (const std::size_t i : end.interfaces) {
       const Interface& interface = assembly_.interfaces[i];
+      std::vector<base::Vector3>& own = places[groups.rootOf(interface.body1)];
       for (int p = 0; p < interface.pairs(); ++p) {
-        places[interface.body1].push_back(interface.trace1.at(p, assembly_.bodies[interface.body1].nodes));
+        own.push_back(interface.trace1.at(p, assembly_.bodies[interface.body1].nodes));
       }
     }
-    for (const auto& [body, own] : places) {
+    for (const auto& [group, own] : places) {
       if (!areFixed(own, assembly_.dimension)) return false;
     }
   }
@@ -101,34 +102,61 @@ bool CoupledFaces::areOne(const End& end, BodyGroups& groups) const {
                      [&](std::size_t i) { return groups.rootOf(assembly_.interfaces[i].body1) == group; });
 }
 
-void CoupledFaces::join(BodyGroups& groups) const {
-  for (const Joint& joint : joints_) {
-    for (const End& end : joint.ends) {
-      for (const std::size_t i : end.interfaces) {
-        if (joint.isRigid) groups.join(assembly_.interfaces[i].body1, bodyOf(end));
-      }
-    }
+bool CoupledFaces::joinRigid(const Joint& joint, BodyGroups& groups) const {
+  const auto isOne = [&](const End& end) { return areOne(end, groups); };
+  if (!joint.isRigid || std::all_of(joint.ends.begin(), joint.ends.end(), isOne)) return false;
+  if (!isKnown(joint, groups)) return false;
+  for (const End& end : joint.ends) {
+    for (const std::size_t i : end.interfaces) groups.join(assembly_.interfaces[i].body1, bodyOf(end));
   }
+  return true;
+}
+
+bool CoupledFaces::joinEnds(const Joint& joint, BodyGroups& groups) const {
+  const std::size_t ends = joint.isToGround ? 1 : 2;
+  if (!joint.bearsAll || joint.ends.size() != ends || !isKnown(joint, groups)) return false;
+  if (!std::all_of(joint.ends.begin(), joint.ends.end(), [&](const End& end) { return areOne(end, groups); }))
+    return false;
+  const int first = bodyOf(joint.ends.front()), second = joint.isToGround ? -1 : bodyOf(joint.ends.back());
+  if (groups.rootOf(first) == groups.rootOf(second)) return false;
+  groups.join(first, second);
+  return true;
+}
+
+std::vector<std::size_t> CoupledFaces::join(BodyGroups& groups) {
   // What one joins may make another one's bodies one.
   for (bool goesOn = true; goesOn;) {
     goesOn = false;
     for (const Joint& joint : joints_) {
-      const std::size_t ends = joint.isToGround ? 1 : 2;
-      if (!joint.bearsAll || joint.ends.size() != ends) continue;
-      if (!std::all_of(joint.ends.begin(), joint.ends.end(), [&](const End& end) { return areOne(end, groups); }))
-        continue;
-      const int first = bodyOf(joint.ends.front()), second = joint.isToGround ? -1 : bodyOf(joint.ends.back());
-      if (groups.rootOf(first) == groups.rootOf(second)) continue;
-      groups.join(first, second);
-      goesOn = true;
+      if (joinRigid(joint, groups)) goesOn = true;
+      if (joinEnds(joint, groups)) goesOn = true;
     }
   }
+  std::vector<std::size_t> untold;
+  const auto isUntold = [&](const Joint& joint) { return !isKnown(joint, groups); };
+  for (const Joint& joint : joints_) {
+    if (!isUntold(joint)) continue;
+    for (const End& end : joint.ends) untold.insert(untold.end(), end.interfaces.begin(), end.interfaces.end());
+  }
+  for (const std::size_t i : untold) isTold_[i] = false;
+  joints_.erase(std::remove_if(joints_.begin(), joints_.end(), isUntold), joints_.end());
+  return untold;
+}
+
+bool CoupledFaces::isWithinOne(const Joint& joint, const std::vector<int>& rigidBodyOf) const {
+  const int first = rigidBodyOf[bodyOf(joint.ends.front())];
+  const auto isOfFirst = [&](std::size_t i) { return rigidBodyOf[assembly_.interfaces[i].body1] == first; };
+  return !joint.isToGround && std::all_of(joint.ends.begin(), joint.ends.end(), [&](const End& end) {
+    return std::all_of(end.interfaces.begin(), end.interfaces.end(), isOfFirst);
+  });
 }
 
 std::vector<statics::Coupling> CoupledFaces::couplings(const std::vector<statics::RigidBody>& rigid,
                                                        const std::vector<int>& rigidBodyOf) const {
   std::vector<statics::Coupling> couplings;
   for (const Joint& joint : joints_) {
+    // What both ends feel cancels where they are of one body, and would be round-off.
+    if (isWithinOne(joint, rigidBodyOf)) continue;
     for (const std::size_t c : joint.borne) {
       std::map<int, statics::Wrench> wrenches;
       for (const End& end : joint.ends) {

@@ -59,12 +59,10 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
   };
   std::vector<Connection> connections;
   BodyGroups groups(assembly.bodies.size());
-  const CoupledFaces faces(assembly, step);
-  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+  const auto connect = [&](std::size_t i) {
     const Interface& interface = assembly.interfaces[i];
-    if (interface.law->prescribesTraction() || interface.pairs() == 0 || faces.contains(i)) continue;
     const auto tractions = interface.law->admissibleTractions(step);
-    if (!tractions && unknown == Unknown::carriesNothing) continue;
+    if (!tractions && unknown == Unknown::carriesNothing) return;
     const std::array<bool, 3> nothing = interface.law->givesNothing();
     const auto most = laws::AdmissibleTractions::components(!nothing[0], !nothing[1], !nothing[2]);
     Connection connection{i, tractions.value_or(most), {}};
@@ -81,8 +79,13 @@ RigidParts::RigidParts(const Assembly& assembly, const std::vector<ResistedMotio
     } else {
       connections.push_back(std::move(connection));
     }
+  };
+  CoupledFaces faces(assembly, step);
+  for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
+    const Interface& interface = assembly.interfaces[i];
+    if (!interface.law->prescribesTraction() && interface.pairs() > 0 && !faces.contains(i)) connect(i);
   }
-  faces.join(groups);
+  for (const std::size_t i : faces.join(groups)) connect(i);
 
   std::vector<int> numberOf(assembly.bodies.size() + 1, -1);
   const int ground = groups.rootOf(-1);

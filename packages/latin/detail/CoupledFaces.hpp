@@ -15,8 +15,8 @@ namespace harmos::latin {
 /// Those of an assembly at one load step that say what they bear.
 ///
 /// A component that is borne is a coupling: its unit tractions act on all bodies of its faces together. Bodies on a
-/// face that moves as a rigid one are joined, provided that their share of it fixes them; where it does not, the law
-/// counts as one that does not know what it carries.
+/// face that moves as a rigid one are joined, provided that their share of it, or that of all bodies that they are
+/// joined with, fixes them; where it does not, the law counts as one that does not know what it carries.
 class CoupledFaces {
  public:
   /// The assembly must outlive it; `step` is counted from 0. Not collective.
@@ -25,8 +25,9 @@ class CoupledFaces {
   /// Whether an interface is told of here.
   bool contains(std::size_t interface) const { return isTold_[interface]; }
   /// Joins what moves as one: rigid faces, and bodies, or a body and the ground, between which all components are
-  /// borne.
-  void join(BodyGroups& groups) const;
+  /// borne. `groups` knows what all other interfaces join. Returns the interfaces that are not told of here any more,
+  /// since their law counts as one that does not know what it carries.
+  std::vector<std::size_t> join(BodyGroups& groups);
   /// The couplings between rigid bodies; `rigidBodyOf`: of every body, -1: the ground.
   std::vector<statics::Coupling> couplings(const std::vector<statics::RigidBody>& rigid,
                                            const std::vector<int>& rigidBodyOf) const;
@@ -44,13 +45,19 @@ class CoupledFaces {
   };
 
   const laws::FaceLaw* lawOf(std::size_t interface) const;
-  bool fixesItsBodies(const Joint& joint) const;
+  /// Whether the law counts as one that knows what it carries.
+  bool isKnown(const Joint& joint, BodyGroups& groups) const;
   /// Whether all bodies of an end are of one group.
   bool areOne(const End& end, BodyGroups& groups) const;
+  /// Joins the bodies of each end, and the ends; returns whether that joined any.
+  bool joinRigid(const Joint& joint, BodyGroups& groups) const;
+  bool joinEnds(const Joint& joint, BodyGroups& groups) const;
+  /// Whether both ends are of one rigid body, or of the ground.
+  bool isWithinOne(const Joint& joint, const std::vector<int>& rigidBodyOf) const;
   int bodyOf(const End& end) const { return assembly_.interfaces[end.interfaces.front()].body1; }
 
   const assembly::Assembly& assembly_;
-  std::vector<bool> isTold_;  // per interface
+  std::vector<bool> isTold_;  // per interface; until join(): may be
   std::vector<Joint> joints_;
 };
 

@@ -258,6 +258,47 @@ TEST(LoadBalance, OfAJointBetweenFacesKnowsWhatItLeavesFree) {
   EXPECT_NE(contradictionOf({{"Axial Stiffness", 0.0}}, push(1.0, 1.0)), "");
 }
 
+// What a joint between two faces that move together does not feel is free.
+TEST(LoadBalance, OfAJointBetweenFacesKnowsThatBothMoveTogether) {
+  const auto contradictionOf = [](const std::map<std::string, double>& springs, const Law& right) {
+    BoxAssembly bar({{"left", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {"right", {1, 0, 0}, {2, 1, 1}, {2, 2, 2}}});
+    holdFace(bar, {"left_xmin"},
+             laws::makeLaw("Remote Displacement", {{"Y", 0.0}, {"Z", 0.0}, {"Rotation Y", 0.0}, {"Rotation Z", 0.0}}));
+    holdFace(bar, {"left_xmax"},
+             laws::makeLaw("Face Spring", springs, {}, {{"Point", {1.0, 0.5, 0.5}}, {"Axis", {1.0, 0.0, 0.0}}}),
+             {"right_xmin"});
+    bar.hold("end", "right_xmax", right);
+    return Answers(bar.assembly()).contradiction;
+  };
+  for (const auto& springs : std::vector<std::map<std::string, double>>{
+           {}, {{"Axial Stiffness", 500.0}}, {{"Shear Stiffness", 500.0}, {"Torsion Stiffness", 500.0}}}) {
+    const std::string pulled = contradictionOf(springs, push(1.0, 0.0));
+    EXPECT_NE(pulled.find("parts \"left\", \"right\" along (1, 0, 0), left free by"), std::string::npos) << pulled;
+    EXPECT_EQ(contradictionOf(springs, push(0.0, 1.0)), "");
+  }
+}
+
+// A piece whose share of a rigid face is nearly a line is joined to the others by its cut, and moves with them.
+TEST(LoadBalance, OfARigidFaceKnowsWhatItLeavesOfPieces) {
+  const auto contradictionOf = [](const std::map<std::string, double>& more) {
+    BoxAssembly part({{"left", {0, 0, 0}, {1, 1, 1}, {1, 1, 1}}, {"right", {1, 0, 0}, {2, 1, 1}, {1, 1, 1}}});
+    part.deform("right", [](const base::Vector3& x) {
+      return base::Vector3{1.0 + (x[0] - 1.0) * std::max(x[2], 1e-7), x[1], x[2]};
+    });
+    part.join("cut", "left_xmax", "right_xmin", laws::makeLaw("Perfect"));
+    input::Parameters law("law");
+    law.set("Type", std::string("Remote Displacement")).set("Kind", std::string("Rigid"));
+    for (const char* held : {"X", "Y", "Z", "Rotation Z"}) law.set(held, 0.0);
+    for (const auto& [name, value] : more) law.set(name, value);
+    holdFace(part, {"left_zmin", "right_zmin"}, laws::builtInLaws().create(law));
+    part.hold("end", "right_zmax", push(0.0, 1.0));
+    return Answers(part.assembly()).contradiction;
+  };
+  EXPECT_EQ(contradictionOf({{"Rotation X", 0.0}, {"Rotation Y", 0.0}}), "");
+  const std::string turns = contradictionOf({{"Rotation X", 0.0}});
+  EXPECT_NE(turns.find("turning about (0, -1, 0) through (0.5, 0.5, 0)"), std::string::npos) << turns;
+}
+
 TEST(LoadBalance, NamesPartLoadStepAndMotion) {
   const Answers lifted = answers(friction(0.5), push(0.0, 2.0));
   for (const char* part : {"load step 1", "unbalanced force (0, 0, ", "along (0, 0, 1), leaving"})

@@ -114,6 +114,22 @@ TEST(UnheldParts, OnAFaceHeldInAPointCanTurn) {
   EXPECT_TRUE(remarksWith({{"Rotation X", 0.0}, {"Rotation Y Stiffness", 1e-3}, {"Rotation Z", 0.0}}).empty());
 }
 
+// A joint between two faces does not feel that both move together.
+TEST(UnheldParts, OnBothSidesOfAJointBetweenFacesMoveTogether) {
+  BoxAssembly bar({{"left", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {"right", {1, 0, 0}, {2, 1, 1}, {2, 2, 2}}});
+  holdFace(bar, {"left_xmin"},
+           laws::makeLaw("Remote Displacement", {{"Y", 0.0}, {"Z", 0.0}, {"Rotation Y", 0.0}, {"Rotation Z", 0.0}}));
+  holdFace(bar, {"left_xmax"},
+           laws::makeLaw("Face Spring", {{"Axial Stiffness", 500.0}}, {},
+                         {{"Point", {1.0, 0.5, 0.5}}, {"Axis", {1.0, 0.0, 0.0}}}),
+           {"right_xmin"});
+  bar.hold("end", "right_xmax", push(0.0, 1.0));
+  const auto remarks = remarksOn(bar);
+  ASSERT_EQ(remarks.size(), 1U);
+  for (const char* part : {"parts \"left\", \"right\"", "along (1, 0, 0)", "turning about (1, 0, 0)"})
+    EXPECT_NE(remarks[0].find(part), std::string::npos) << remarks[0];
+}
+
 TEST(UnheldParts, AreNamedWithTheirLoadSteps) {
   const Law top = laws::makeLaw("Prescribed Traction", {{"Z", -1.0}}, {{"Z", {1.0, 2.0}}});
   const auto remarks = remarksOn(twoCubes(laws::makeLaw("Unilateral Contact"), top, 2));
