@@ -11,6 +11,7 @@
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/input/detail/KnownValue.hpp>
 
 namespace harmos::input {
 
@@ -104,6 +105,10 @@ double Formula::evaluate(const std::vector<double>& values) const {
   }
   refuse(text_, "has no value" + place + ": it takes a root, a logarithm or the like where there is none.",
          "Write for example \"mu > 1 ? sqrt(mu - 1) < 2 : 0\"; && and || compute both sides always.");
+}
+
+double Formula::whatever(const std::vector<double>& values) const {
+  return knownValue(text_, parser_->names, values);
 }
 
 double* Formula::slots() const {

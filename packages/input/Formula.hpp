@@ -35,6 +35,9 @@ class Formula {
   /// `values` of the names, one for each, in their order. Not for use by several threads. Throws base::Error (input)
   /// when the result, or what it is computed from, is no number or the result is infinite.
   double evaluate(const std::vector<double>& values) const;
+  /// Its value whatever the names are that are not known, such as 0 of "0 * x": `values` of the names in their order,
+  /// NaN where one is not known. NaN: it may depend on them.
+  double whatever(const std::vector<double>& values) const;
   /// Where the values of the names are kept for atSlots(), in their order; owned by the formula, and valid as long as
   /// it is, also when it is moved.
   double* slots() const;

@@ -1,6 +1,7 @@
 #include <harmos/laws/detail/FormulaGraph.hpp>
 
 #include <algorithm>
+#include <limits>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Names.hpp>
@@ -87,9 +88,10 @@ FormulaGraph::FormulaGraph(const input::Parameters& parameters) {
   }
   errors.throwIfAny();
   isUncoupled_ = true;
+  std::vector<double> known(names_.size(), std::numeric_limits<double>::quiet_NaN());
+  std::copy(constants_.rbegin(), constants_.rend(), known.rbegin());
   for (std::size_t c = 0; c < 3; ++c) {
-    const input::Formula& formula = tractions_[c].formula;
-    areZero_[c] = formula.variables().empty() && formula.evaluate(std::vector<double>(names_.size(), 0.0)) == 0.0;
+    areZero_[c] = tractions_[c].formula.whatever(known) == 0.0;
     for (std::size_t other = 0; other < 3; ++other) {
       if (other != c && tractions_[c].hasJump[other]) isUncoupled_ = false;
     }

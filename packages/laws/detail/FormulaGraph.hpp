@@ -28,7 +28,7 @@ class FormulaGraph {
   /// Whether every component of the traction follows from the same component of the jump alone.
   bool isUncoupled() const { return isUncoupled_; }
 
-  /// Which components of the traction, n, t1, t2, are the number 0.
+  /// Which components of the traction, n, t1, t2, are 0 whatever the jump: the number 0, or what its product makes 0.
   const std::array<bool, 3>& areZero() const { return areZero_; }
 
   /// Names of the fields that formulas may use, in the order of the input.

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <harmos/base/Error.hpp>
@@ -21,6 +23,23 @@ TEST(Formula, Computes) {
   EXPECT_EQ(formula.evaluate({0.5, 4.0}), 2.0);
   EXPECT_EQ(formula.evaluate({3.0, 4.0}), -1.0);
   EXPECT_EQ(Formula("2*preload", {"mu", "preload"}).variables(), std::vector<std::string>{"preload"});
+}
+
+TEST(Formula, KnowsWhatDoesNotDependOnWhatIsUnknown) {
+  const double unknown = std::nan("");
+  const auto whatever = [](const std::string& text, double mu, double preload) {
+    return Formula(text, {"mu", "preload"}).whatever({mu, preload});
+  };
+  for (const char* zero : {"0", "2 - 2", "0 * mu", "mu * 0.0", "-0 * mu ^ 2 + (1 - 1) * sqrt(mu)", "mu * preload * 0",
+                           "0 * (mu > 1)", "0 && mu", "min(0, 1) * mu", "0 * min(mu, 1)"})
+    EXPECT_EQ(whatever(zero, unknown, unknown), 0.0) << zero;
+  EXPECT_EQ(whatever("preload * mu", unknown, 0.0), 0.0);
+  EXPECT_EQ(whatever("2 + preload * mu + -2 ^ 2 * 3 ^ 1 ^ 2", unknown, 0.0), -10.0);
+  EXPECT_EQ(whatever("(preload < 1 || mu) + (preload == 0)", unknown, 0.0), 2.0);
+  for (const char* open :
+       {"mu", "1e-300 * mu", "min(0, mu)", "max(mu, 0)", "mu > 1e9", "sign(mu)", "mu && 1", "mu || 0",
+        "mu < 1e9 ? 0 : 1", "mu - mu", "0 / mu", "0 ^ mu", "sum(0, mu)", "abs(mu)", "rint(mu)"})
+    EXPECT_TRUE(std::isnan(whatever(open, unknown, 0.0))) << open;
 }
 
 TEST(Formula, SaysWhatIsWrong) {

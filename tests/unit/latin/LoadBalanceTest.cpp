@@ -333,10 +333,13 @@ TEST(LoadBalance, KnowsWhereAFormulaGivesNothing) {
     law.set("Lowest Slope", 0.0).set("Dissipates", false);
     return Law(laws::builtInLaws().create(law));
   };
-  EXPECT_EQ(answers(springs("0"), push(0.0, 1.0)).contradiction, "");
-  const std::string slides = answers(springs("0"), push(1.0, 1.0)).contradiction;
-  EXPECT_NE(slides.find("along (1, 0, 0), sliding along"), std::string::npos) << slides;
-  EXPECT_EQ(answers(springs("0 * jump_1"), push(1.0, 1.0)).contradiction, "");
+  for (const std::string nothing : {"0", "0 * jump_1", "-(1 - 1) * max(jump_1, jump_2)"}) {
+    EXPECT_EQ(answers(springs(nothing), push(0.0, 1.0)).contradiction, "") << nothing;
+    const std::string slides = answers(springs(nothing), push(1.0, 1.0)).contradiction;
+    EXPECT_NE(slides.find("along (1, 0, 0), sliding along"), std::string::npos) << nothing << ": " << slides;
+  }
+  for (const std::string little : {"1e-30 * jump_1", "max(0, jump_1 - 1e9)", "jump_1 > 1e9 ? jump_1 - 1e9 : 0"})
+    EXPECT_EQ(answers(springs(little), push(1.0, 1.0)).contradiction, "") << little;
 }
 
 // Tipping: the pressure on the top beside the base of a cube that leans over by more than its width.
