@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <harmos/laws/CoupledLaw.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -38,7 +40,8 @@ LawFields lawFields(const assembly::Interface& interface, const PairFields& fiel
   std::vector<double> old(pairs * numbers, 0.0), now(pairs * numbers, 0.0), outputs(result.outputs.size());
   for (int t = 0; t < fields.steps; ++t) {
     laws::NodeArrays nodes = interface.nodes(fields.times, t);
-    if (numbers > 0) {
+    // A piece of a face does not tell what a law over all of it remembers, and such laws have no fields of their own.
+    if (numbers > 0 && !laws::isCoupled(law)) {
       for (std::size_t p = 0; p < pairs; ++p) {
         const std::size_t at = fields.at(t, static_cast<int>(p));
         lines[p].freeJump = toLaw(p, fields.jump[at] + compliance * fields.traction[at]);

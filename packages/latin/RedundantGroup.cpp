@@ -39,22 +39,6 @@ Holders holdersOf(const assembly::Assembly& assembly, const EliminatedBoundaries
 
 }  // namespace
 
-std::vector<RedundantGroup> findHeldGroups(const assembly::Assembly& assembly, const EliminatedBoundaries& eliminated) {
-  std::vector<RedundantGroup> groups;
-  for (const auto& [node, holders] : holdersOf(assembly, eliminated)) {
-    if (holders.size() < 2) continue;
-    RedundantGroup group;
-    group.equilibrium.shape(3, 3 * static_cast<int>(holders.size()));
-    for (std::size_t i = 0; i < holders.size(); ++i) {
-      const double area = assembly.interfaces[holders[i].interface].area[holders[i].pair];
-      group.pairs.push_back({holders[i].interface, holders[i].pair, area, {}});
-      for (int c = 0; c < 3; ++c) group.equilibrium(c, 3 * static_cast<int>(i) + c) = std::sqrt(area);
-    }
-    groups.push_back(std::move(group));
-  }
-  return groups;
-}
-
 std::vector<RedundantGroup> findRedundantGroups(const assembly::Assembly& assembly,
                                                 const EliminatedBoundaries& eliminated) {
   const NodeClusters clusters(

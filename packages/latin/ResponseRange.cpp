@@ -185,7 +185,7 @@ std::string describe(const std::string& response, const ResponseRange& range, co
     text << "any value from " << lower << " to " << upper;
   }
   text << " goes with the same displacements, since joints share there what parts feel the sum of; " << values[step]
-       << " is that of the least tractions which leave gaps open";
+       << (range.isOneOfMany ? " is one of them" : " is that of the least tractions which leave gaps open");
   return text.str();
 }
 
@@ -197,11 +197,12 @@ Indeterminacy findIndeterminacy(const TractionShare& share, const Iterate& state
   const std::vector<TractionShare::Finding> findings = share.find(state, tolerance);
   constexpr double noEnd = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < responses.size(); ++i) {
-    if (share.dependsOnHolders([&](int interface, int pair) {
-          return responses[i]->slope(state.assembly(), {interface, pair, base::Vector3{}, base::Vector3{}});
-        })) {
+    const SharedReactions::Open open = share.reactions().leaveOpen([&](int interface, int pair) {
+      return responses[i]->slope(state.assembly(), {interface, pair, base::Vector3{}, base::Vector3{}});
+    });
+    if (open != SharedReactions::Open::no) {
       const std::vector<double> all(state.assembly().steps(), noEnd), none(state.assembly().steps(), -noEnd);
-      result.responses[i] = {none, all, false};
+      result.responses[i] = {none, all, false, open == SharedReactions::Open::atFaces};
       continue;
     }
     if (findings.empty()) continue;
@@ -216,7 +217,7 @@ Indeterminacy findIndeterminacy(const TractionShare& share, const Iterate& state
       (*lower)[t] = least;
       (*upper)[t] = most;
     }
-    result.responses[i] = {std::move(*lower), std::move(*upper), false};
+    result.responses[i] = {std::move(*lower), std::move(*upper), false, false};
   }
   addPressures(share, findings, state, tolerance, result);
   return result;

@@ -18,7 +18,8 @@ struct ResponseRange {
   std::vector<double> lower;  ///< [unit of the response]; minus infinity: no end
   std::vector<double> upper;  ///< the same; infinity
   bool goesToOtherMotions =
-      false;  ///< the ends are values of solutions with other displacements; others may go further
+      false;                 ///< the ends are values of solutions with other displacements; others may go further
+  bool isOneOfMany = false;  ///< the values that are given are some within, not those of the least tractions
 
   /// The load step, from 0, at which it is widest; -1 where the response is determined.
   int widest() const;

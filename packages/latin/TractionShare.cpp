@@ -40,16 +40,7 @@ TractionShare::TractionShare(const assembly::Assembly& assembly, const assembly:
       groups_(findRedundantGroups(assembly, eliminated)),
       places_(assembly.interfaces.size()),
       pairs_(assembly.interfaces.size()),
-      heldGroups_(findHeldGroups(assembly, eliminated)) {
-  for (const RedundantGroup& group : heldGroups_) {
-    std::vector<TractionSet> sets;
-    for (const RedundantGroup::Pair& pair : group.pairs) {
-      const double compliance = 1.0 / searchDirection.of(pair.interface)[pair.pair];
-      const assembly::Interface& interface = assembly.interfaces[pair.interface];
-      sets.push_back(TractionSet::span({}, rigidAxes(interface, pair.pair, assembly.dimension, 0, compliance)));
-    }
-    heldStresses_.emplace_back(group, std::move(sets), std::vector<base::Vector3>(group.pairs.size(), base::Vector3{}));
-  }
+      reactions_(assembly, searchDirection, eliminated) {
   for (const RedundantGroup& group : groups_) {
     first_.push_back(count_);
     for (const RedundantGroup::Pair& pair : group.pairs) {
@@ -170,17 +161,6 @@ std::vector<TractionShare::Finding> TractionShare::find(const Iterate& iterate, 
     }
   }
   return findings;
-}
-
-bool TractionShare::dependsOnHolders(const std::function<base::Vector3(int, int)>& weightOf) const {
-  for (std::size_t g = 0; g < heldGroups_.size(); ++g) {
-    if (!heldStresses_[g].exists()) continue;
-    std::vector<base::Vector3> weights;
-    for (const RedundantGroup::Pair& pair : heldGroups_[g].pairs)
-      weights.push_back(weightOf(pair.interface, pair.pair));
-    if (heldStresses_[g].changes(weights)) return true;
-  }
-  return false;
 }
 
 void TractionShare::addDifference(const Finding& finding, const std::vector<base::Vector3>& tractions,

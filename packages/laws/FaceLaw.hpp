@@ -33,6 +33,7 @@ class FaceLaw {
   /// What becomes of one component of the resultant of its tractions on the face.
   struct Resultant {
     bool isBorne = false;  ///< it takes any value that equilibrium asks for
+    bool isHeld = false;   ///< and does so without giving way
     double force = 0.0;    ///< acts whatever the motion [force], of a moment [force length]
   };
   /// All six, at a load step counted from 0, along the axes of the law in its point; asked when it is bound. Nothing of

@@ -121,8 +121,14 @@ class FaceSpring final : public CoupledLaw, public FaceLaw {
   /// Its force along the axis is that of tighteningForce(), or that of the lock, which the axial stiffness bears on.
   std::optional<std::array<Resultant, 6>> resultants(int step) const override {
     std::array<Resultant, 6> all;
-    for (std::size_t i = 0; i < 6; ++i) all[i].isBorne = stiffness_[i] > 0.0;
-    if (force_) all[0].isBorne = locking_.isLocked(step);
+    for (std::size_t i = 0; i < 6; ++i) {
+      all[i].isBorne = stiffness_[i] > 0.0;
+      all[i].isHeld = std::isinf(stiffness_[i]);
+    }
+    if (force_) {
+      all[0].isBorne = locking_.isLocked(step);
+      all[0].isHeld = all[0].isHeld && all[0].isBorne;
+    }
     return all;
   }
   std::array<base::Vector3, 6> unitTractions(const base::Vector3& place) const override {

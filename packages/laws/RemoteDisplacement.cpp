@@ -110,7 +110,7 @@ class RemoteDisplacement final : public CoupledLaw, public FaceLaw {
 
   std::optional<std::array<Resultant, 6>> resultants(int step) const override {
     std::array<Resultant, 6> all;
-    for (std::size_t i = 0; i < 6; ++i) all[i] = {stiffness_[i] > 0.0, force_[i][step]};
+    for (std::size_t i = 0; i < 6; ++i) all[i] = {stiffness_[i] > 0.0, std::isinf(stiffness_[i]), force_[i][step]};
     return all;
   }
   std::array<base::Vector3, 6> unitTractions(const base::Vector3& place) const override {

@@ -36,7 +36,4 @@ struct RedundantGroup {
 std::vector<RedundantGroup> findRedundantGroups(const assembly::Assembly& assembly,
                                                 const EliminatedBoundaries& eliminated);
 
-/// Nodes that eliminated boundaries hold with more than one pair, a group each; the same on every rank, not collective.
-std::vector<RedundantGroup> findHeldGroups(const assembly::Assembly& assembly, const EliminatedBoundaries& eliminated);
-
 }  // namespace harmos::latin

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include <harmos/latin/Iterate.hpp>
 #include <harmos/latin/detail/SelfStress.hpp>
+#include <harmos/latin/detail/SharedReactions.hpp>
 
 namespace harmos::latin {
 
@@ -40,9 +40,8 @@ class TractionShare {
   };
   /// Collective. Of all load steps, which must be selected.
   std::vector<Finding> find(const Iterate& iterate, double tolerance) const;
-  /// Whether a sum of weight.t over the pairs of eliminated boundaries is not determined, because several hold one node
-  /// in one direction; `weightOf` gives the weight of a pair of an interface in global components.
-  bool dependsOnHolders(const std::function<base::Vector3(int, int)>& weightOf) const;
+  /// What boundaries and laws over whole faces share, whatever the state.
+  const SharedReactions& reactions() const { return reactions_; }
   /// The pairs that a finding lists.
   const std::vector<RedundantGroup::Pair>& pairs(const Finding& finding) const { return groups_[finding.group].pairs; }
   /// Adds `tractions` less those found to a field [stress] with the rows of the layout of the iterate.
@@ -59,8 +58,7 @@ class TractionShare {
   std::size_t count_ = 0;                         // of all pairs
   std::vector<std::vector<std::size_t>> places_;  // per interface: of its pairs, among all of them
   std::vector<std::vector<int>> pairs_;           // per interface: its pairs
-  std::vector<RedundantGroup> heldGroups_;
-  std::vector<SelfStress> heldStresses_;  // of the held groups
+  SharedReactions reactions_;
 };
 
 }  // namespace harmos::latin

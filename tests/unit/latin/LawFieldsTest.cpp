@@ -7,6 +7,7 @@
 #include <harmos/latin/LatinSolver.hpp>
 #include <harmos/latin/LawFields.hpp>
 #include <harmos/latin/Response.hpp>
+#include <harmos/laws/FaceLaw.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
 
 #include "BoxAssembly.hpp"
@@ -241,6 +242,21 @@ TEST(Response, MayStateItsOwnScale) {
   EXPECT_GT(result.responses[0].size, 1e-4);
   EXPECT_NEAR(result.responses[1].size, 1e-6, 1e-7);
   EXPECT_NEAR(result.responses[1].values[0], -1e-6, 1e-4 * 1e-6 * 2);
+}
+
+// A law over a whole face is asked for nothing where a piece has a pair of it only, which does not tell its motion.
+TEST(LawFields, OfAPieceOfAFaceAreNothing) {
+  const auto law = laws::makeLaw("Face Spring", {}, {}, {{"Point", {0.5, 0.5, 0.0}}, {"Axis", {0.0, 0.0, 1.0}}});
+  const std::vector<std::pair<base::Vector3, double>> face{
+      {{0, 0, 0}, 1.0}, {{1, 0, 0}, 1.0}, {{0, 1, 0}, 1.0}, {{1, 1, 0}, 1.0}};
+  const assembly::Interface piece = onePair(dynamic_cast<const laws::FaceLaw&>(*law).on(
+      std::make_shared<const laws::FaceMotions>(laws::FaceMotions::of(face, 3).value())));
+  PairFields fields;
+  fields.pairs = fields.steps = 1;
+  fields.times = {1.0};
+  fields.traction = fields.jump = {{0.0, 0.0, 1.0}};
+  fields.status = {laws::Status::bonded};
+  EXPECT_EQ(lawFields(piece, fields).stored, std::vector<double>{0.0});
 }
 
 }  // namespace
