@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
+
+#include <Teuchos_CommHelpers.hpp>
 
 #include <harmos/base/AllRanks.hpp>
 #include <harmos/base/Names.hpp>
@@ -99,10 +102,17 @@ class Watch {
     const std::vector<laws::LocalLine> lines = turned(met, ratio);
     sums.add(index, 0, met.step, arrays(met, lines));
   }
-  void compare(const PointwiseLocalStage::Met& met, double ratio, int index, const FaceSums& sums) {
+  void compare(const PointwiseLocalStage::Met& met, double ratio, int index, const FaceSums& sums, double lost) {
     const std::vector<laws::LocalLine> lines = turned(met, ratio);
     sums.law(index)->solvePoints(met.step, arrays(met, lines), sums.of(index, 0));
-    include(met, lines);
+    include(met, lines, lost);
+  }
+  /// Of its tractions: what the digits of its free jumps leave open of sums over the face.
+  double lostOfSums(const PointwiseLocalStage::Met& met, double ratio) const {
+    const std::vector<laws::LocalLine> lines = turned(met, ratio);
+    double largest = 0.0;
+    for (std::size_t p = 0; p < lines.size(); ++p) largest = std::max(largest, loss(met, lines, p));
+    return largest;
   }
 
   /// Whether it is asked farther on: the law says that its traction never falls while the jump grows.
@@ -190,12 +200,11 @@ class Watch {
     return nodes;
   }
 
-  void include(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines) {
-    double largestLoss = 0.0;  // sums over a face have the digits of the largest
-    for (std::size_t p = 0; p < lines.size(); ++p) largestLoss = std::max(largestLoss, loss(met, lines, p));
+  /// `least`: of every traction that much is lost.
+  void include(const PointwiseLocalStage::Met& met, const std::vector<laws::LocalLine>& lines, double least = 0.0) {
     for (std::size_t p = 0; p < lines.size(); ++p) {
       const double change = norm(states_[p].traction - met.states[p].traction);
-      const double lost = laws::isCoupled(law_) ? largestLoss : loss(met, lines, p);
+      const double lost = std::max(least, loss(met, lines, p));
       difference_.include(std::isfinite(change) ? change - lost : std::numeric_limits<double>::max(), met.step,
                           static_cast<int>(p));
     }
@@ -271,6 +280,27 @@ class Watch {
 /// Watches of interfaces, by their numbers.
 using Watches = std::vector<std::pair<int, Watch>>;
 
+/// Of every interface what lostOfSums() is of all of its face, on all ranks. Collective.
+std::vector<double> lostOfFaces(const Watches& watches, const FaceSums& faces, const PointwiseLocalStage& stage,
+                                const assembly::Assembly& assembly, int step, double ratio,
+                                const Teuchos::Comm<int>& comm) {
+  std::vector<double> mine(assembly.interfaces.size(), 0.0), all(mine);
+  for (const auto& [index, watch] : watches) {
+    if (faces.law(index) != nullptr && watch.answers(ratio))
+      mine[index] = watch.lostOfSums(stage.met(index, step), ratio);
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, static_cast<int>(mine.size()), mine.data(), all.data());
+  std::map<int, double> ofFaces;
+  for (const int i : faces.interfaces()) {
+    double& most = ofFaces[assembly.interfaces[i].face];
+    most = std::max(most, all[i]);
+  }
+  for (const int i : faces.interfaces()) {
+    if (assembly.interfaces[i].face >= 0) all[i] = ofFaces[assembly.interfaces[i].face];
+  }
+  return all;
+}
+
 /// Asks the laws of all interfaces of this rank. Collective.
 Watches ask(FixedPoint& fixedPoint, const Iterate& iterate, Search search) {
   const assembly::Assembly& assembly = fixedPoint.assembly();
@@ -309,10 +339,12 @@ Watches ask(FixedPoint& fixedPoint, const Iterate& iterate, Search search) {
       });
       if (faces.isEmpty()) continue;
       faces.finish();
+      // Sums over a face have the digits of the largest of its parts.
+      const std::vector<double> lost = lostOfFaces(watches, faces, stage, assembly, t, ratio, layout.comm());
       base::onEachRank(layout.comm(), [&] {
         for (auto& [index, watch] : watches) {
           if (faces.law(index) != nullptr && watch.answers(ratio))
-            watch.compare(stage.met(index, t), ratio, index, faces);
+            watch.compare(stage.met(index, t), ratio, index, faces, lost[index]);
         }
       });
     }

@@ -11,129 +11,13 @@ namespace harmos::latin {
 namespace {
 
 using assembly::Assembly;
-using assembly::Interface;
 using assembly::NodeClusters;
 using Cluster = NodeClusters::Cluster;
-using Row = std::vector<double>;
 
-// Square of what unit fields do to nodes, or of their resultant, below which it is nothing.
-constexpr double noForce = 1e-10;
 // Of the weights of a sum: a smaller change is none.
 constexpr double noAction = 1e-6;
 
-double dot(const Row& a, const Row& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-/// to += factor x
-void add(double factor, const Row& x, Row& to) {
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * x[i];
-}
-
-base::Matrix productsOf(const std::vector<Row>& rows) {
-  const int count = static_cast<int>(rows.size());
-  base::Matrix products(count, count);
-  for (int i = 0; i < count; ++i) {
-    for (int j = 0; j < count; ++j) products(i, j) = dot(rows[i], rows[j]);
-  }
-  return products;
-}
-
-/// An orthonormal basis of what the rows span.
-std::vector<Row> basisOf(const std::vector<Row>& rows) {
-  std::vector<Row> basis;
-  if (rows.empty()) return basis;
-  base::Matrix modes = productsOf(rows);
-  const Row values = symmetricEigen(modes);
-  for (int j = 0; j < modes.numCols(); ++j) {
-    if (values[j] <= noForce) continue;
-    basis.emplace_back(rows.front().size(), 0.0);
-    for (std::size_t i = 0; i < rows.size(); ++i) add(modes[j][i] / std::sqrt(values[j]), rows[i], basis.back());
-  }
-  return basis;
-}
-
 }  // namespace
-
-/// The tractions of the pairs of a cluster that bear anything by themselves.
-class SharedReactions::LocalFields {
- public:
-  LocalFields(const Assembly& assembly, const HeldFaces& faces, const Cluster& cluster) : assembly_(assembly) {
-    for (const NodeClusters::Pair& pair : cluster.pairs) {
-      const Interface& interface = assembly.interfaces[pair.interface];
-      for (int side = 0; side < interface.sides(); ++side)
-        rows_.emplace(std::pair(interface.body(side), interface.trace(side).node(pair.pair)), 3 * rows_.size());
-      largestRoot_ = std::max(largestRoot_, std::sqrt(interface.area[pair.pair]));
-    }
-    // Of clusters that are too large none is taken.
-    if (cluster.pairs.size() > NodeClusters::mostPairs) return;
-    for (const NodeClusters::Pair& pair : cluster.pairs) {
-      for (const base::Vector3& axis : faces.axesOf(pair)) {
-        unknowns_.push_back(share(pair, axis));
-        columns_.push_back(none());
-        addForces(unknowns_.back(), columns_.back());
-      }
-    }
-    if (unknowns_.empty()) return;
-    modes_ = productsOf(columns_);
-    values_ = symmetricEigen(modes_);
-  }
-
-  Share share(const NodeClusters::Pair& pair, const base::Vector3& field) const {
-    return {pair, std::sqrt(assembly_.interfaces[pair.interface].area[pair.pair]), field};
-  }
-  Row none() const { return Row(3 * rows_.size(), 0.0); }
-  /// Nodal forces over the largest sqrt(h).
-  void addForces(const Share& share, Row& forces) const {
-    const Interface& interface = assembly_.interfaces[share.pair.interface];
-    for (int side = 0; side < interface.sides(); ++side) {
-      const std::size_t row = rows_.at({interface.body(side), interface.trace(side).node(share.pair.pair)});
-      const double factor = (side == 0 ? share.root : -share.root) / largestRoot_;
-      for (std::size_t c = 0; c < 3; ++c) forces[row + c] += factor * share.field[c];
-    }
-  }
-
-  /// A basis of those that no node feels, with orthonormal t sqrt(h).
-  std::vector<std::vector<Share>> free() const {
-    std::vector<std::vector<Share>> fields;
-    for (int j = 0; j < modes_.numCols(); ++j) {
-      if (isFree(j)) fields.push_back(fieldOf({modes_[j], modes_[j] + modes_.numRows()}));
-    }
-    return fields;
-  }
-
-  /// Their field that takes as much of nodal forces as they can; what they cannot is left in `forces`.
-  std::vector<Share> answerTo(Row& forces) const {
-    Row factors(unknowns_.size(), 0.0);
-    for (int j = 0; j < modes_.numCols(); ++j) {
-      if (isFree(j)) continue;
-      double work = 0.0;
-      for (std::size_t i = 0; i < columns_.size(); ++i) work += modes_[j][i] * dot(columns_[i], forces);
-      for (std::size_t i = 0; i < columns_.size(); ++i) factors[i] -= work / values_[j] * modes_[j][i];
-    }
-    for (std::size_t i = 0; i < columns_.size(); ++i) add(factors[i], columns_[i], forces);
-    return fieldOf(factors);
-  }
-
- private:
-  bool isFree(int mode) const { return values_[mode] <= noForce * values_.back(); }
-
-  std::vector<Share> fieldOf(const Row& factors) const {
-    std::vector<Share> field = unknowns_;
-    for (std::size_t i = 0; i < field.size(); ++i) field[i].field = factors[i] * field[i].field;
-    return field;
-  }
-
-  const Assembly& assembly_;
-  std::map<NodeClusters::Node, std::size_t> rows_;
-  double largestRoot_ = 0.0;
-  std::vector<Share> unknowns_;  // pairs with unit vectors
-  std::vector<Row> columns_;     // their forces
-  base::Matrix modes_;
-  Row values_;
-};
 
 /// Faces that clusters connect.
 class SharedReactions::FaceFields {
@@ -148,7 +32,7 @@ class SharedReactions::FaceFields {
   }
 
   void take(const Cluster& cluster) {
-    const LocalFields local(assembly_, faces_, cluster);
+    const ClusterFields local(assembly_, faces_, cluster);
     std::map<std::size_t, Row> forces;  // of the fields of faces that may deform
     for (const NodeClusters::Pair& pair : cluster.pairs) {
       const int f = faces_.faceOf(pair.interface);
@@ -156,12 +40,12 @@ class SharedReactions::FaceFields {
       const auto units = faces_.unitsAt(face(f), pair);
       for (std::size_t k = 0; k < units.size(); ++k) {
         const std::size_t field = first_.at(f) + k;
-        group_.fields[field].push_back(local.share(pair, units[k]));
+        group_.fields[field].push_back(local.at(pair, units[k]));
         local.addForces(group_.fields[field].back(), forces.try_emplace(field, local.none()).first->second);
       }
     }
     for (auto& [field, left] : forces) {
-      const std::vector<Share> answer = local.answerTo(left);
+      const ClusterFields::Field answer = local.answerTo(left);
       group_.fields[field].insert(group_.fields[field].end(), answer.begin(), answer.end());
     }
     for (std::size_t row = 0; row < local.none().size() && !forces.empty(); ++row) {
@@ -170,7 +54,7 @@ class SharedReactions::FaceFields {
       unmet_.push_back(std::move(condition));
     }
     for (auto& field : local.free()) group_.fields.push_back(std::move(field));
-    if (unmet_.size() > mostUnmet) condense();
+    if (unmet_.size() > mostUnmet + ofFaces_) condense();
   }
 
   Group group() {
@@ -180,7 +64,7 @@ class SharedReactions::FaceFields {
     for (const int f : numbers_) {
       if (face(f).isRigid) addResultants(f, rows);
     }
-    group_.conditions = basisOf(rows);
+    group_.conditions = basisOf(rows, ClusterFields::noForce);
     return std::move(group_);
   }
 
@@ -208,9 +92,9 @@ class SharedReactions::FaceFields {
   }
 
   /// Force and moment about the centre, over the largest sqrt(h) and the size.
-  void addResultant(int f, const Share& share, Row& to) const {
-    const base::Vector3 force = (share.root / std::sqrt(face(f).area)) * share.field;
-    const base::Vector3& place = assembly_.interfaces[share.pair.interface].position[share.pair.pair];
+  void addResultant(int f, const TractionAtPair& at, Row& to) const {
+    const base::Vector3 force = (at.root / std::sqrt(face(f).area)) * at.traction;
+    const base::Vector3& place = assembly_.interfaces[at.pair.interface].position[at.pair.pair];
     const base::Vector3 moment = (1.0 / face(f).size) * base::cross(place - face(f).centre, force);
     for (std::size_t c = 0; c < 3; ++c) {
       to[c] += force[c];
@@ -235,11 +119,11 @@ class SharedReactions::FaceFields {
       for (double& value : one) value /= norm;
     }
     std::vector<Row> resultants(six, Row(group_.fields.size(), 0.0));
-    const std::vector<Row> basis = basisOf(held);
+    const std::vector<Row> basis = basisOf(held, ClusterFields::noForce);
     for (std::size_t j = 0; j < group_.fields.size(); ++j) {
       Row sum(six, 0.0);
-      for (const Share& share : group_.fields[j]) {
-        if (faces_.faceOf(share.pair.interface) == f) addResultant(f, share, sum);
+      for (const TractionAtPair& at : group_.fields[j]) {
+        if (faces_.faceOf(at.pair.interface) == f) addResultant(f, at, sum);
       }
       for (const Row& one : basis) add(-dot(one, sum), one, sum);
       for (std::size_t c = 0; c < six; ++c) resultants[c][j] = sum[c];
@@ -279,7 +163,7 @@ std::vector<bool> mayShare(const HeldFaces& faces, const NodeClusters& clusters)
   }
   for (std::size_t f = 0; f < may.size(); ++f) {
     if (!may[f] || faces.all()[f].isRigid) continue;
-    may[f] = faces.all()[f].fields() > 0 && symmetricEigen(alone[f]).front() <= noForce;
+    may[f] = faces.all()[f].fields() > 0 && symmetricEigen(alone[f]).front() <= ClusterFields::noForce;
   }
   return may;
 }
@@ -292,7 +176,7 @@ SharedReactions::SharedReactions(const Assembly& assembly, const assembly::Searc
   const NodeClusters ofBoundaries = faces.clusters(false);
   for (const Cluster& cluster : ofBoundaries.all()) {
     if (cluster.pairs.size() < 2) continue;
-    Group group{LocalFields(assembly, faces, cluster).free(), {}, Open::atNodes};
+    Group group{ClusterFields(assembly, faces, cluster).free(), {}, Open::atNodes};
     if (!group.fields.empty()) groups_.push_back(std::move(group));
   }
   if (faces.all().empty()) return;
@@ -331,12 +215,12 @@ SharedReactions::SharedReactions(const Assembly& assembly, const assembly::Searc
 bool SharedReactions::change(const Group& group, const std::function<base::Vector3(int, int)>& weightOf) {
   std::map<std::pair<int, int>, base::Vector3> weights;  // over sqrt(h)
   Row changes;
-  for (const std::vector<Share>& field : group.fields) {
+  for (const ClusterFields::Field& field : group.fields) {
     double change = 0.0;
-    for (const Share& share : field) {
-      const auto [at, isNew] = weights.try_emplace({share.pair.interface, share.pair.pair});
-      if (isNew) at->second = (1.0 / share.root) * weightOf(share.pair.interface, share.pair.pair);
-      change += base::dot(at->second, share.field);
+    for (const TractionAtPair& at : field) {
+      const auto [weight, isNew] = weights.try_emplace({at.pair.interface, at.pair.pair});
+      if (isNew) weight->second = (1.0 / at.root) * weightOf(at.pair.interface, at.pair.pair);
+      change += base::dot(weight->second, at.traction);
     }
     changes.push_back(change);
   }

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <functional>
-#include <utility>
 #include <vector>
 
-#include <harmos/latin/detail/HeldFaces.hpp>
+#include <harmos/latin/detail/ClusterFields.hpp>
 
 namespace harmos::latin {
 
@@ -31,18 +30,12 @@ class SharedReactions {
   Open leaveOpen(const std::function<base::Vector3(int, int)>& weightOf) const;
 
  private:
-  struct Share {
-    HeldFaces::Pair pair;
-    double root = 0.0;      // sqrt(h)
-    base::Vector3 field{};  // t sqrt(h)
-  };
   /// Fields whose sums are in equilibrium where their factors are at right angles to the conditions.
   struct Group {
-    std::vector<std::vector<Share>> fields;
-    std::vector<std::vector<double>> conditions;  // orthonormal, a number per field
+    std::vector<ClusterFields::Field> fields;
+    std::vector<Row> conditions;  // orthonormal, a number per field
     Open whatItLeaves = Open::atNodes;
   };
-  class LocalFields;
   class FaceFields;
 
   static bool change(const Group& group, const std::function<base::Vector3(int, int)>& weightOf);

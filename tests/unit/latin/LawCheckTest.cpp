@@ -9,7 +9,9 @@
 #include <harmos/laws/CoupledLaw.hpp>
 #include <harmos/laws/PointwiseLaw.hpp>
 
+#include "BoxAssembly.hpp"
 #include "Chains.hpp"
+#include "Faces.hpp"
 
 namespace harmos::latin {
 namespace {
@@ -328,6 +330,23 @@ TEST(LawCheck, RemarksOnEnergiesThatAreNotFinite) {
 // Of softening laws only steeper lines are asked.
 TEST(LawCheck, LeavesSofteningLawsInPeace) {
   const LatinResult result = solve(softGlue(2.0));
+  EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
+}
+
+// A face that moves far leaves the other one of its law no more digits than it has itself.
+TEST(LawCheck, CertifiesALawBetweenAFaceThatMovesFarAndOneThatDoesNot) {
+  BoxAssembly bar({{"left", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {"right", {1, 0, 0}, {2, 1, 1}, {2, 2, 2}}});
+  std::map<std::string, double> spring{{"X Stiffness", 1e-3}};
+  for (const char* held : {"Y", "Z", "Rotation X", "Rotation Y", "Rotation Z"}) spring[held] = 0.0;
+  holdFace(bar, {"left_xmin"}, laws::makeLaw("Remote Displacement", spring));
+  holdFace(bar, {"left_xmax"},
+           laws::makeLaw("Face Spring", {{"Axial Stiffness", 0.0}, {"Shear Stiffness", 1e6}}, {},
+                         {{"Point", {1.0, 0.5, 0.5}}, {"Axis", {1.0, 0.0, 0.0}}}),
+           {"right_xmin"});
+  bar.hold("load", "left_ymax", laws::makeLaw("Prescribed Traction", {{"X", 2.0}}));
+  base::Timers timers;
+  LatinSolver solver(bar.assembly(), {}, self(), timers);
+  const LatinResult result = solver.solve();
   EXPECT_EQ(result.outcome, Outcome::certified) << result.reason;
 }
 
