@@ -114,6 +114,18 @@ TEST(FormulaLaw, IsSpringsWhereItSaysSo) {
 }
 
 // Kinks and jumps, in which no derivative helps: contact by a stiff penalty, and a traction that is switched.
+TEST(FormulaLaw, GivesNothingWhereAProductIsZero) {
+  Texts texts;
+  texts.n = "k * jump_n";
+  texts.t1 = "(k - 2) * jump_1 + 0 * opened * x";
+  texts.t2 = "k * jump_2 + 0 * t";
+  texts.history = {{"opened", "max(opened_old, jump_n)"}};
+  texts.constants = {{"k", 0.0}};
+  EXPECT_EQ(formula(texts)->givesNothing(), (std::array<bool, 3>{true, false, true}));
+  texts.constants = {{"k", 2.0}};
+  EXPECT_EQ(formula(texts)->givesNothing(), (std::array<bool, 3>{false, true, false}));
+}
+
 TEST(FormulaLaw, BracketsWhatHasKinks) {
   const auto law = formula({"jump_n + gap < 0 ? 1e9 * (jump_n + gap) : 0"});
   const auto contact = makeLaw("Unilateral Contact");
