@@ -38,6 +38,20 @@ class DeckText(DeckCase):
         self.demand_like_plain(re.sub(r"^\*", " \t*", PLAIN, flags=re.MULTILINE).replace("*DENSITY", "** a comment\n*DENSITY"))
         self.demand_like_plain(re.sub(r"^\*.*", lambda line: line[0].replace(",", "\t,\t").replace("=", "\t=\t"), PLAIN, flags=re.MULTILINE))
 
+    def test_commas_at_the_end_of_keywords(self) -> None:
+        for keyword in ("*NODE,NSET=ALL", "*ELEMENT,TYPE=C3D8,ELSET=CUBE", "*ELASTIC", "*BOUNDARY", "*STEP", "*DLOAD"):
+            with self.subTest(keyword):
+                self.demand_like_plain(PLAIN.replace(keyword + "\n", keyword + ", \n", 1))
+        # Abaqus goes on in the next line.
+        self.demand_like_plain(PLAIN.replace("ELSET=CUBE,MATERIAL=STEEL", "ELSET=CUBE,\n Material = STEEL"))
+        self.demand_like_plain(PLAIN.replace("*BOUNDARY\n1,1,3\n2,1,3\n3,1,3\n4,1,3", "*NSET,NSET=N,\ngenerate\n1,4,1\n*BOUNDARY\nN,1,3"))
+
+    def test_elements_of_types_that_are_not_known(self) -> None:
+        strange = "*ELEMENT,TYPE=STRANGE,ELSET=S\n7, 1,2,3,4,\n 5,6,7\n9, 1,2,3,4,\n 5,6,7\n"
+        code, said = self.imported(PLAIN.replace("*MATERIAL", strange + "*MATERIAL"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("deck.inp:12: *ELEMENT, TYPE=STRANGE: 2 elements are left out", said)
+
     def test_wide_text_that_breaks_off(self) -> None:
         self.demand_refused(PLAIN.encode("utf-16")[:-1], "it begins as UTF-16, and does not go on so")
 

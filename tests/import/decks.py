@@ -447,7 +447,7 @@ class Decks(DeckCase):
         for spring, why in (("*ELEMENT,TYPE=SPRING2,ELSET=S1\n90, 999, 998\n*SPRING,ELSET=S1\n3, 3\n50.\n", "node 998 at its other end is"),
                             ("*ELEMENT,TYPE=SPRINGA,ELSET=S1\n90, 41, 998\n*SPRING,ELSET=S1\n\n50.\n" + held, "reference node"),
                             ("*ELEMENT,TYPE=SPRING1,ELSET=S1\n90, 999\n*SPRING,ELSET=S1,NONLINEAR\n3\n0.,0.\n1.,1.\n", "nonlinear"),
-                            ("*ELEMENT,TYPE=SPRING1,ELSET=S1\n90, 999\n", "there is no *SPRING for the set")):
+                            ("*ELEMENT,TYPE=SPRING1,ELSET=S1\n90, 999\n", "no *SPRING names a set that they are in")):
             with self.subTest(why):
                 code, said = self.imported(bar.replace("*BOUNDARY\nENDS", spring + "*BOUNDARY\nENDS"))
                 self.assertEqual(code, 0, said)
@@ -498,6 +498,12 @@ class Decks(DeckCase):
         row = self.solved(text)[-1]
         self.assertAlmostEqual(row["reaction_held_xy_x"] + row["reaction_held_x_x"], -30.0 * 0.5, 4)
 
+    def test_pressure_inside_of_a_part_is_listed(self) -> None:
+        text = self.bar("", "").replace("*SURFACE,NAME=CUT\n5, S2\n*PRE-TENSION SECTION,SURFACE=CUT,NODE=999\n", "")
+        code, said = self.imported(text.replace("*STATIC\n", "*STATIC\n*DLOAD\n3, P2, 1.\n4, P3, 1.\n"))
+        self.assertEqual(code, 0, said)
+        self.assertRegex(said, r"deck.inp:\d+: \*DLOAD, pressure: 1 of its faces lie inside of a part")
+
     def test_force_inside_of_a_part(self) -> None:
         nodes = "".join(f"{1 + i + 3 * j + 9 * k}, {i}, {j}, {k}\n" for k in range(3) for j in range(3) for i in range(3))
         rows = "".join(f"{1 + i + 2 * j + 4 * k}, " + ", ".join(
@@ -526,6 +532,20 @@ class Decks(DeckCase):
         own = f"{top}*TRANSFORM,NSET=TOP,TYPE=R\n1.,0.,0.,0.,{cosine:.12f},{sine}\n"
         row = self.solved(turned + STEEL + HELD + own + STEP.format("*BOUNDARY\nTOP,3,3,0.01\n"))[-1]
         self.assertAlmostEqual(row["reaction_moved_3_3"], 10.0, 4)
+        # In the plane with the third axis the other way.
+        plane = "*NODE\n1,0,0\n2,2,0\n3,2,1\n4,0,1\n*ELEMENT,TYPE=CPE4,ELSET=CUBE\n1, 1,2,3,4\n" + STEEL + "*NSET,NSET=END\n2,3\n"
+        held = "*BOUNDARY\n1,1,2\n4,1,2\n"
+        for axes, at in (("1.,0.,0.,0.,-1.,0.", (1.0, -2.0)), ("0.,1.,0.,1.,0.,0.", (2.0, 1.0)), ("0.6,0.8,0.,0.8,-0.6,0.", (2.2, -0.4))):
+            with self.subTest(axes):
+                text = plane + f"*TRANSFORM,NSET=END\n{axes}\n" + held
+                row = self.solved(text + STEP.format("*CLOAD\nEND,1,0.5\nEND,2,1.\n"))[-1]
+                for axis, force in zip("xy", at):
+                    self.assertAlmostEqual(row[f"reaction_held_xy_{axis}"], -force, 5)
+                self.assertNotIn("left out:", self.imported(text + STEP.format("*CLOAD\nEND,1,0.5\n"))[1])
+                self.solved(text + STEP.format("*BOUNDARY\nEND,1,1,0.01\nEND,2,2,0.02\n"))
+                with netCDF4.Dataset(work / "run" / "deck.e") as file:
+                    for component, moved in enumerate(at):
+                        self.assertAlmostEqual(float(numpy.sum(file[f"vals_nod_var{component + 1}"][-1])), 2.0 * 0.01 * moved, 6)
         # About an axis: a small rotation moves the cube without strain; a tangential force at (1, 1).
         turn = "*NSET,NSET=RIM\n2,3,4,6,7,8\n*TRANSFORM,NSET=ALL,TYPE=C\n0.,0.,0.,0.,0.,1.\n"
         spin = "".join(f"{node},2,2,{0.001 * radius}\n" for node, radius in

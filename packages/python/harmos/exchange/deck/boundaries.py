@@ -46,8 +46,11 @@ class Boundaries:
             ids, coupled = self._acting.divided(ids)
             for node in coupled:
                 coupling, first = self._acting.couplings.at_node[node]
-                for component in components:
-                    at = component - 1 + first
+                places = [component - 1 + first for component in components]
+                if "FIXED" in card.parameters:
+                    self._tell_free(card, row, int(any(at not in coupling.held for at in places)))
+                    continue
+                for at in places:
                     if at not in coupling.held:
                         late.add(-node)
                     points = coupling.held.get(at, UNLOADED)
@@ -103,9 +106,12 @@ class Boundaries:
         """FIXED: what is held stays where it is; what was free would have to stay where the step before has left it."""
         free = [node for node in self._acting.solids.nodes(ids).tolist()
                 if any((node, self._degree(node, component)[0]) not in self._acting.loads.held for component in components)]
-        if free:
-            self._acting.findings.leave_out(card.place_of(row), "*BOUNDARY, FIXED", f"{len(free)} of its nodes were free before: they "
-                                     "stay free")
+        self._tell_free(card, row, len(free))
+
+    def _tell_free(self, card: Card, row: int, count: int) -> None:
+        """Lists nodes of a FIXED boundary that were free before."""
+        if count:
+            self._acting.findings.leave_out(card.place_of(row), "*BOUNDARY, FIXED", f"{count} of its nodes were free before: they stay free")
 
     def _degree(self, node: int, component: int) -> tuple[int, float]:
         """The component from 0 that a node is held along, and its sense; takes note of axes that are turned."""

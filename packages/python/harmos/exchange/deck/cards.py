@@ -16,6 +16,11 @@ LARGEST_ID = 2**31 - 1
 LISTS = ("NODE", "ELEMENT", "NSET", "ELSET", "SURFACE", "AMPLITUDE", "EQUATION", "BOUNDARY", "CLOAD", "DLOAD", "DSLOAD")
 """Keywords whose lines may stand in a file of their own; INPUT of others names results."""
 
+SWITCHES = ("ALLSDTOL", "CONSTANTRESULTANT", "CONTINUE", "CYCLICSYMMETRY", "DIRECT", "EXPLICIT", "FIXED", "FOLLOWER", "GENERATE", "INTERNAL",
+            "LAGRANGE", "NLGEOM", "NONLINEAR", "NOROTATION", "NOTHICKNESS", "PERTURBATION", "ROUGH", "SMALLSLIDING", "STABILIZE", "TIED",
+            "UNSORTED", "USER")
+"""Parameters without a value, that may begin the second line of a keyword."""
+
 
 @dataclasses.dataclass
 class Card:
@@ -176,7 +181,7 @@ def _read(path: str, open_files: list[str], asked: str, folder: str) -> list[Car
     cards: list[Card] = []
     for start, end in zip(starts, [*starts[1:], len(lines)]):
         heading, below = lines[start].rstrip(), start + 1
-        while heading.endswith(",") and below < end:
+        while heading.endswith(",") and below < end and _holds_parameters(lines[below]):
             heading += lines[below].strip()
             below += 1
         card = _card(path, start + 1, heading, lines, below, end)
@@ -191,6 +196,12 @@ def _read(path: str, open_files: list[str], asked: str, folder: str) -> list[Car
             _take_data(card, other)
         cards.append(card)
     return cards
+
+
+def _holds_parameters(line: str) -> bool:
+    """Whether a line below a keyword that ends in a comma goes on with it, as Abaqus has it: many such commas stand before data."""
+    first = "".join(line.split(",")[0].split()).upper()
+    return "=" in first or first in SWITCHES
 
 
 def _take_data(card: Card, path: str) -> None:

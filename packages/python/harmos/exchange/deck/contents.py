@@ -113,6 +113,14 @@ class Contents:
         """The name of a set or surface, in capitals here, as the deck writes it."""
         return self._written.get(name, name)
 
+    def elements_of(self, name: str) -> list[ElementTable]:
+        """The elements of a set, in capitals here: of each card those that are in it."""
+        if name not in self.element_sets:
+            return []
+        held = numpy.concatenate([numpy.zeros(0, dtype=numpy.int64), *self.element_sets[name]])
+        inside = [(table, numpy.isin(table.ids, held)) for table in self.elements]
+        return [dataclasses.replace(table, ids=table.ids[rows], nodes=table.nodes[rows]) for table, rows in inside if rows.any()]
+
     def _read(self, cards: list[Card]) -> None:
         at = 0
         scope = Scope()
@@ -223,7 +231,7 @@ class Contents:
         flat = card.ids(card.flat())
         width = nodes_of_kind(kind)
         if width == 0:
-            rows = [[word for word in words if word] for words in card.rows()]
+            rows = _continued(card.rows())
             ids = numpy.array([int(card.number(words[0], row)) for row, words in enumerate(rows)], dtype=numpy.int64)
             width = len(rows[0]) - 1 if len({len(words) for words in rows}) == 1 else 0
             nodes = numpy.array([[int(card.number(word, row)) for word in words[1:1 + width]]
@@ -389,6 +397,20 @@ def _numbers_or_none(card: Card) -> "Array | None":
         return card.flat()
     except Refused:
         return None
+
+
+def _continued(lines: list[list[str]]) -> list[list[str]]:
+    """Their words, lines that end in a comma together with the next one."""
+    rows: list[list[str]] = []
+    goes_on = False
+    for words in lines:
+        own = [word for word in words if word]
+        if goes_on:
+            rows[-1] += own
+        elif own:
+            rows.append(own)
+        goes_on = bool(rows) and not words[-1]
+    return rows
 
 
 def _scoped(card: Card, scope: Scope, axes: set[str]) -> dict[str, str]:

@@ -22,6 +22,7 @@ LARGE_ROTATION = 0.1
 """Rotation from which an import warns [radians]: displacements linear in it are off by its half."""
 
 _HELD = ("X", "Y", "Z", "Rotation X", "Rotation Y", "Rotation Z")
+_WRITTEN = {"COUPLING": "COUPLING", "DISTRIBUTINGCOUPLING": "DISTRIBUTING COUPLING", "RIGIDBODY": "RIGID BODY"}
 _FORCES = ("Force X", "Force Y", "Force Z", "Moment X", "Moment Y", "Moment Z")
 
 
@@ -112,8 +113,7 @@ class Couplings:
 
     def _distributing(self, card: Card) -> None:
         """The older form: nodes with weights, and the reference node in an element of its own."""
-        elements = [table for table in self._contents.elements if table.set.upper() == card.get("ELSET")
-                    and table.kind.startswith("DCOUP") and len(table.ids)]
+        elements = [table for table in self._contents.elements_of(card.get("ELSET")) if table.kind.startswith("DCOUP")]
         if not elements:
             raise Refused(f"{card.place}: *DISTRIBUTING COUPLING: no element DCOUP3D is in the set \"{card.get('ELSET')}\". "
                           f"{names_there(card.get('ELSET'), self._contents.element_sets)}")
@@ -164,8 +164,13 @@ class Couplings:
                                      "faces: they move as they like, and what acts on its reference nodes is left out")
             return
         rotation = self._id(card, "ROTNODE") if "ROTNODE" in card.parameters else None
-        node = self._id(card, "REFNODE")
-        self._add(Coupling(card, card.parameters["NSET"], self._point(node), True, None, nodes), node, rotation)
+        if "REFNODE" in card.parameters:
+            node = self._id(card, "REFNODE")
+            point = self._point(node)
+        else:
+            node = None
+            point = [float(x) for x in self._solids.mesh.nodes[nodes].mean(axis=0)[:self._solids.mesh.dimension]]
+        self._add(Coupling(card, card.parameters["NSET"], point, True, None, nodes), node, rotation)
 
     def _turn(self, nodes: Array) -> bool:
         """Whether nodes can be turned about every axis: in space those on one line cannot."""
@@ -183,13 +188,38 @@ class Couplings:
         at = int(numpy.flatnonzero(self._contents.node_ids == node)[0])
         return [float(x) for x in self._contents.coordinates[at][:self._solids.mesh.dimension]]
 
-    def _add(self, coupling: Coupling, node: int, rotation: "int | None") -> None:
-        if node in self.at_node:
-            raise Refused(f"{coupling.card.place}: node {node} is the reference of {self.at_node[node][0].card.place} already.")
+    def _add(self, coupling: Coupling, node: "int | None", rotation: "int | None") -> None:
+        if node is not None and self._is_of_another_solid(coupling, node):
+            self._findings.leave_out(coupling.card.place, f"*{_WRITTEN[coupling.card.keyword]}", f"its reference node {node} is one of a solid, "
+                                     "which its face or nodes do not follow: they are free")
+            return
+        if node is not None and node in self.at_node:
+            self._unite(self.at_node[node][0], coupling, node)
+            return
         self.all.append(coupling)
-        self.at_node[node] = coupling, 0
+        if node is not None:
+            self.at_node[node] = coupling, 0
         if rotation is not None:
             self.at_node[rotation] = coupling, 3
+
+    def _unite(self, one: Coupling, other: Coupling, node: int) -> None:
+        """Faces that are rigid and follow one node are one.
+
+        Raises:
+            Refused: something else follows the same node.
+        """
+        if not (one.is_rigid and other.is_rigid) or one.sides is None or other.sides is None:
+            raise Refused(f"{other.card.place}: node {node} is the reference of {one.card.place} already, and not both are rigid faces; "
+                          "give each a node of its own.")
+        one.sides = numpy.unique(numpy.concatenate([one.sides, other.sides]), axis=0)
+        self._findings.undecided.append(f"{other.card.place}: with {one.card.place} it is one rigid face, as in Abaqus; in CalculiX both "
+                                        f"turn by themselves about node {node}")
+
+    def _is_of_another_solid(self, coupling: Coupling, node: int) -> bool:
+        """Whether a reference node belongs to a solid, but not to what follows it."""
+        at = self._solids.nodes(numpy.array([node]))
+        own = coupling.nodes if coupling.sides is None else self._solids.nodes_of_sides(coupling.sides)
+        return bool(len(at)) and not numpy.isin(at, own).any()
 
     def write(self, scene: SceneList, histories: Histories) -> set[str]:
         """Adds a boundary for each; the names of the parts that they touch."""

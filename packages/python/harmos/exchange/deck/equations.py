@@ -7,6 +7,7 @@ import numpy
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.contents import Contents, Scope
+from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.curves import Points
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refusals, Refused
@@ -110,10 +111,16 @@ class Equations:
             raise Refused(f"{card.place_of(row)}: *EQUATION: node {word} is nowhere in the deck.")
         return at
 
-    def apply(self, held: dict[Degree, Points]) -> list[Tie]:
-        """Holds what moves as something that is held, takes nodes of no solid out of `held`, and gives the ties; what is
-        left is listed."""
+    def apply(self, held: dict[Degree, Points], couplings: Couplings) -> list[Tie]:
+        """Holds what moves as something that is held, reference nodes of couplings as well, takes nodes of no solid out of
+        `held`, and gives the ties; what is left is listed."""
+        references = {int(numpy.searchsorted(self._contents.node_ids, node)): coupling
+                      for node, (coupling, first) in couplings.at_node.items() if first == 0}
+        for node, coupling in references.items():
+            held.update({(node, component): points for component, points in coupling.held.items() if component < 3})
         left = self._hold(held)
+        for node, coupling in references.items():
+            coupling.held.update({component: held[node, component] for component in range(3) if (node, component) in held})
         ties, left = self._ties(left)
         of_solids = set(self._solids.used_nodes().tolist())
         for node, component in [degree for degree in held if degree[0] not in of_solids]:

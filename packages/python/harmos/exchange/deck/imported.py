@@ -91,7 +91,7 @@ def import_deck(path: str, mesh_file: str, units: str, findings: Findings) -> Im
     equations = Equations(contents, solids, findings)
     springs = Springs(contents, couplings, findings)
     loads = LoadReader(contents, solids, materials, couplings, equations.nodes(), springs.ground, findings).read()
-    ties = equations.apply(loads.held)
+    ties = equations.apply(loads.held, couplings)
     histories = Histories(scene)
     joints = Joints(contents, solids, scene, findings)
     joints.write(histories, loads.preloads, ties)

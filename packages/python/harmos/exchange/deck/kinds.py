@@ -12,7 +12,7 @@ def nodes_of_kind(kind: str) -> int:
     """How many nodes an element has by the number in its type; 0 when that is not known."""
     if kind in _OTHER_KINDS:
         return _OTHER_KINDS[kind]
-    for family in ("C3D", "DC3D", "F3D", "CPS", "CPE", "CAX", "CPEG", "SC"):
+    for family in ("C3D", "DC3D", "F3D", "AC3D", "CPS", "CPE", "CAX", "CPEG", "SC"):
         if kind.startswith(family):
             digits = ""
             for letter in kind[len(family):]:

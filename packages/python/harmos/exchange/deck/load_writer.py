@@ -49,7 +49,7 @@ class LoadWriter:
                     self._histories.set(force, "XYZ"[component], points)
         self._write_held(loads.held, loads.axes)
         carried = Carried(loads, self._solids.mesh)
-        self._write_pressures(loads.pressures, carried)
+        self._write_pressures(loads, carried)
         self._write_forces(loads.global_forces(), carried)
         carried.tell(self._findings)
 
@@ -99,8 +99,10 @@ class LoadWriter:
         law = boundary.child("Law").set("Type", "Cylindrical Displacement").set("Point", point[:mesh.dimension])
         if mesh.dimension == 3:
             law.set("Axis", direction)
+        # In the plane scenes turn about the third global axis.
+        senses = (1.0, 1.0 if mesh.dimension == 3 else direction[2], 1.0)
         for component, points in components.items():
-            self._histories.set(law, ("Radial", "Tangential", "Axial")[component], points)
+            self._histories.set(law, ("Radial", "Tangential", "Axial")[component], points, senses[component])
         if axes.is_cylindrical and 2 in components:
             self._add_reaction(name, "axial", direction)
         if not axes.is_cylindrical:
@@ -112,16 +114,19 @@ class LoadWriter:
         response = self._scene.child("Responses").child(ended_name(f"reaction_{boundary}", f"_{along}"))
         response.set("Type", "Interface Force").set("Interface", boundary).set("Direction", direction)
 
-    def _write_pressures(self, pressures: dict[tuple[int, int], Points], carried: Carried) -> None:
+    def _write_pressures(self, loads: Loads, carried: Carried) -> None:
         groups = collections.defaultdict(list)
-        for face, points in pressures.items():
+        for face, points in loads.pressures.items():
             groups[points].append(face)
         number = {(element, side): row for row, (element, side) in enumerate(self._outer.rows().tolist())}
+        for card, acted in loads.pressure_cards:
+            inside = sum(face not in number for face in acted)
+            if inside:
+                self._findings.leave_out(card.place, f"*{card.keyword}, pressure", f"{inside} of its faces lie inside of a part: they "
+                                         "bear none")
         for points, faces in groups.items():
             name = self._set_name("pressed")
             outer = sorted(face for face in faces if face in number)
-            if len(outer) < len(faces):
-                self._findings.leave_out("DLOAD", "pressure", f"{len(faces) - len(outer)} of its faces lie inside of a part")
             if not outer:
                 continue
             if carried.takes_pressures(self._outer.chosen(numpy.array([number[face] for face in outer]))):

@@ -143,14 +143,17 @@ class Solids:
         """Exodus type, order, incompatible modes, set, ids and node indices of the solids."""
         contents = self._contents
         self.family = self._family()
-        coupled = {card.get("ELSET") for card in contents.model if card.keyword == "DISTRIBUTINGCOUPLING"}
+        coupled = [table.ids for card in contents.model if card.keyword == "DISTRIBUTINGCOUPLING"
+                   for table in contents.elements_of(card.get("ELSET"))]
         result = []
         for table in contents.elements:
             if not len(table.ids):
                 continue
             match = _SOLID.match(table.kind)
             kinds = _KINDS["C3D" if match and match[1] == "C3D" else "plane"]
-            if table.kind in SPRINGS or (table.kind.startswith("DCOUP") and table.set.upper() in coupled):
+            if table.kind in SPRINGS:
+                continue
+            if table.kind.startswith("DCOUP") and coupled and numpy.isin(table.ids, numpy.concatenate(coupled)).all():
                 continue
             if not match or not is_solid(table.kind):
                 self._findings.leave_out(table.card.place, f"*ELEMENT, TYPE={table.kind}",
@@ -350,6 +353,17 @@ class Solids:
                               f"S1 to S{len(self.mesh.blocks[number].type.sides)}.")
             rows.append((int(element), side))
         return turned_sides(self.mesh, self._turned, numpy.array(rows, dtype=numpy.int64).reshape(-1, 2))
+
+    def nodes_of_sides(self, rows: Array) -> Array:
+        """Indices of all nodes of faces, given as a side set."""
+        first = self.mesh.first_elements()
+        numbers = self.mesh.block_of(rows[:, 0])
+        found = [numpy.zeros(0, dtype=numpy.int64)]
+        for number, side in sorted(set(zip(numbers.tolist(), rows[:, 1].tolist()))):
+            block = self.mesh.blocks[number]
+            own = rows[(numbers == number) & (rows[:, 1] == side), 0] - first[number]
+            found.append(block.connectivity[own][:, block.type.nodes_of_side(side)].reshape(-1))
+        return numpy.unique(numpy.concatenate(found))
 
     def surface(self, surface: Surface) -> Array:
         """A surface as a side set; of nodes: the outer faces whose corners are all among them, of elements without

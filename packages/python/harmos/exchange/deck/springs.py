@@ -1,4 +1,6 @@
 """Springs of a deck between the reference node of a coupling and the ground."""
+import dataclasses
+
 import numpy
 
 from harmos.arrays import Array
@@ -28,10 +30,17 @@ class Springs:
         self._contents, self._couplings, self._findings = contents, couplings, findings
         self.ground: set[int] = set()
         self._held = self._held_nodes()
-        laws = {card.get("ELSET"): card for card in contents.model if card.keyword == "SPRING"}
+        laws = [card for card in contents.model if card.keyword == "SPRING"]
+        law_of = {int(element): number for number, card in enumerate(laws)
+                  for table in contents.elements_of(card.get("ELSET")) for element in table.ids}
         for table in contents.elements:
-            if table.kind in SPRINGS and len(table.ids):
-                self._read(table, laws.get(table.set.upper()))
+            if table.kind not in SPRINGS:
+                continue
+            numbers = numpy.array([law_of.get(int(element), -1) for element in table.ids], dtype=numpy.int64)
+            for number in numpy.unique(numbers).tolist():
+                rows = numbers == number
+                own = dataclasses.replace(table, ids=table.ids[rows], nodes=table.nodes[rows])
+                self._read(own, laws[number] if number >= 0 else None)
 
     def _held_nodes(self) -> set[int]:
         """Ids of nodes that the model, or a step, holds at 0 in all directions."""
@@ -59,7 +68,7 @@ class Springs:
 
     def _read(self, table: ElementTable, law: "Card | None") -> None:
         if law is None or "NONLINEAR" in law.parameters:
-            self._list(table, "its *SPRING is nonlinear" if law else f"there is no *SPRING for the set \"{table.set}\"")
+            self._list(table, "its *SPRING is nonlinear" if law else "no *SPRING names a set that they are in")
             return
         rows = [(row, [word for word in words if word]) for row, words in enumerate(law.rows()) if any(words)]
         if len(rows) < (1 if table.kind == "SPRINGA" else 2):

@@ -96,7 +96,7 @@ class Transforms:
             axes = _read(card)
             found = contents.node_sets[name]
             nodes = solids.nodes(numpy.unique(numpy.concatenate(found))).tolist() if found else []
-            if solids.family != "C3D" and (abs(axes.third[2] - 1.0) > SAME or (solids.family == "CAX" and axes.along_global() is None)):
+            if solids.family != "C3D" and (abs(abs(axes.third[2]) - 1.0) > SAME or (solids.family == "CAX" and axes.along_global() is None)):
                 findings.leave_out(card.place, "*TRANSFORM", f"axes that leave the plane: boundaries and forces of the node set {name}")
                 self.left_out.update(nodes)
                 continue
