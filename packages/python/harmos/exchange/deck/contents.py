@@ -142,7 +142,12 @@ class Contents:
                 break
             if card.keyword == "STEP":
                 end = self._end(cards, at, "ENDSTEP")
-                self.steps.append(Step(card, cards[at + 1:end]))
+                step = Step(card)
+                for each in cards[at + 1:end]:
+                    with self._refusals.collect():
+                        if each.keyword not in ("NSET", "ELSET", "SURFACE") or not self._take(each, scope):
+                            step.cards.append(each)
+                self.steps.append(step)
                 at = end + 1
                 continue
             with self._refusals.collect():

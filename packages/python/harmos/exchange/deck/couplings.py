@@ -131,6 +131,10 @@ class Couplings:
             self._findings.leave_out(card.place, "*DISTRIBUTING COUPLING", "its nodes are those of no face of a solid: what acts on its "
                                      "reference node is left out")
             return
+        loose = numpy.setdiff1d(nodes, self._solids.nodes_of_sides(sides))
+        if len(loose):
+            self._findings.leave_out(card.place, "*DISTRIBUTING COUPLING", f"{len(loose)} of its nodes are on no face whose corners are all in "
+                                     "it: they count in the middle only")
         self._findings.found.append(f"{card.place}: nodes count by their area"
                                     + ("" if max(weights) == min(weights) else ", not by the weights that the deck gives them"))
         node = int(elements[0].nodes[0, 0])

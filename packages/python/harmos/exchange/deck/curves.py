@@ -80,8 +80,10 @@ class Course:
     def add(self, table: dict[_Key, Points], key: _Key, value: float) -> None:
         """Goes on to a value; what the step has said before is added to."""
         points = table.get(key, UNLOADED)
-        said = points[-1][1] if points[-1][0] >= self.span.end else 0.0
-        table[key] = self.followed(self._before(points), said + value)
+        if points[-1][0] < self.span.end:
+            self.set(table, key, value)
+        else:
+            table[key] = summed([(points, 1.0), (self.followed(((self.span.begin, 0.0),), value), 1.0)])
 
     def _before(self, points: Points) -> Points:
         return tuple(point for point in points if point[0] <= self.span.begin) or UNLOADED

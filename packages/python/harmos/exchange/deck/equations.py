@@ -62,6 +62,7 @@ class Equations:
             Refused: numbers or nodes are not there.
         """
         self._contents, self._solids, self._findings = contents, solids, findings
+        self._meaning_else: set[int] = set()
         self._all: list[Equation] = []
         self._turned = {int(node) for card in contents.model if card.keyword == "TRANSFORM"
                         for ids in contents.node_sets.get(card.get("NSET"), []) for node in self._solids.nodes(ids)}
@@ -113,7 +114,11 @@ class Equations:
 
     def apply(self, held: dict[Degree, Points], couplings: Couplings) -> list[Tie]:
         """Holds what moves as something that is held, reference nodes of couplings as well, takes nodes of no solid out of
-        `held`, and gives the ties; what is left is listed."""
+        `held`, and gives the ties; what is left, as equations of nodes whose displacements mean something else, is listed."""
+        bolts = {self._contents.single_node(card, "NODE") for card in self._contents.model
+                 if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE")}
+        turns = {node for node, (_, first) in couplings.at_node.items() if first != 0}
+        self._meaning_else = {int(numpy.searchsorted(self._contents.node_ids, node)) for node in bolts | turns}
         references = {int(numpy.searchsorted(self._contents.node_ids, node)): coupling
                       for node, (coupling, first) in couplings.at_node.items() if first == 0}
         for node, coupling in references.items():
@@ -135,7 +140,7 @@ class Equations:
     def _hold(self, held: dict[Degree, Points]) -> list[Equation]:
         """The equations that do not follow from what is held then."""
         waiting = [equation for equation in self._all
-                   if equation.is_equal_pair and not self._turned & {node for node, _, _ in equation.terms}]
+                   if equation.is_equal_pair and not (self._turned | self._meaning_else) & {node for node, _, _ in equation.terms}]
         done: set[int] = set()
         is_changed = True
         while is_changed:

@@ -45,6 +45,7 @@ class Joints:
         """Adds to this scene and to the sets of the mesh of the solids."""
         self._contents, self._solids, self._scene, self._findings = contents, solids, scene, findings
         self.joined: set[frozenset[str]] = set()
+        self._faces: dict[frozenset[str], list[Array]] = {}
         self.has_contact = False
         self._interactions = Interactions(contents.model, findings)
 
@@ -71,14 +72,12 @@ class Joints:
         self._pairs(card, "tie", lambda interface: interface.child("Law").set("Type", "Perfect"))
 
     def _equal_motions(self, tie: Tie) -> None:
-        if frozenset(tie.parts) in self.joined:
+        sides = self._unjoined((tie.parts[0], tie.parts[1]), tie.sides)
+        if not len(sides[0]) or not len(sides[1]):
+            self._findings.leave_out(tie.card.place, "*EQUATION", f"equations that tie {tie.parts[0]} to {tie.parts[1]} on faces that an interface "
+                                     "has already")
             return
-        name = unused_name("_".join(tie.parts), set(self._scene.child("Interfaces").names()))
-        interface = self._scene.child("Interfaces").child(name)
-        for side, (own, other, faces) in enumerate(zip(tie.parts, reversed(tie.parts), tie.sides), 1):
-            interface.set(f"Side {side}", self.add_side_set(f"{own}_on_{other}", faces))
-        interface.child("Law").set("Type", "Perfect")
-        self.joined.add(frozenset(tie.parts))
+        name = self._join((tie.parts[0], tie.parts[1]), sides)
         self._findings.found.append(f"{tie.card.place}: equations tie {tie.parts[0]} to {tie.parts[1]}: interface {name}")
 
     def _contact(self, card: Card) -> None:
@@ -162,7 +161,7 @@ class Joints:
                 if beyond > 0.0:
                     interface.set("Search Distance", beyond)
                 write(interface)
-                self.joined.add(frozenset([part, other_part]))
+                self._note((part, other_part), rows, other_rows)
                 self._findings.found.append(f"{card.place_of(row)}: {word} of {words[0]} and {words[1]}: interface {name}")
                 count += 1
         return count
@@ -235,7 +234,7 @@ class Joints:
         if preload.is_force and preload.locked is not None:
             law.set("Locked From", preload.locked)
         self._scene.child("Responses").child(ended_name(f"bolt_force_{name}", "")).set("Type", "Bolt Force").set("Interface", name)
-        self.joined.add(frozenset([own, other]))
+        self._note((own, other), rows, twins)
         self._findings.found.append(f"{card.place}: pretension section: interface {name} between {own} and {other}")
         beside = self._beside(rows, own)
         if beside:
@@ -276,10 +275,41 @@ class Joints:
         used = {name: numpy.unique(numpy.concatenate([mesh.blocks[block].connectivity.reshape(-1) for block in blocks]))
                 for name, blocks in mesh.parts().items()}
         for (one, nodes), (other, theirs) in itertools.combinations(used.items(), 2):
-            if frozenset([one, other]) in self.joined or not len(numpy.intersect1d(nodes, theirs)):
+            shared = numpy.intersect1d(nodes, theirs)
+            if not len(shared):
                 continue
-            name = unused_name(f"{one}_{other}", set(self._scene.child("Interfaces").names()))
-            interface = self._scene.child("Interfaces").child(name).set("Part 1", one).set("Part 2", other)
-            interface.child("Law").set("Type", "Perfect")
-            self.joined.add(frozenset([one, other]))
-            self._findings.found.append(f"{one} and {other} share nodes: interface {name}")
+            sides = self._unjoined((one, other), (self._faces_on(one, shared), self._faces_on(other, shared)))
+            if len(sides[0]) and len(sides[1]):
+                name = self._join((one, other), sides)
+                self._findings.found.append(f"{one} and {other} share nodes: interface {name}")
+            elif frozenset([one, other]) not in self.joined:
+                self._findings.leave_out(self._solids.sections[self._solids.section_of_part[other]].card.place, "*SOLID SECTION",
+                                         f"{one} and {other} share {len(shared)} nodes, but no face: these move as they like")
+
+    def _faces_on(self, part: str, nodes: Array) -> Array:
+        """The outer faces of a part whose corners are all among these nodes."""
+        mesh = self._solids.mesh
+        outer = outer_faces(mesh)
+        of_part = numpy.asarray(mesh.part_of_block())[mesh.block_of(outer.element)] == list(mesh.parts()).index(part)
+        return outer.chosen(of_part & (numpy.isin(outer.corners, nodes) | (outer.corners < 0)).all(axis=1)).rows()
+
+    def _unjoined(self, parts: tuple[str, str], sides: tuple[Array, Array]) -> tuple[Array, Array]:
+        """The faces that no interface between two parts has yet."""
+        taken = self._faces.get(frozenset(parts), [])
+        one, other = (rows[~numpy.isin(*codes(rows, numpy.concatenate(taken)))] if taken else rows for rows in sides)
+        return one, other
+
+    def _note(self, parts: tuple[str, str], *sides: Array) -> None:
+        """Takes note of an interface between two parts."""
+        self.joined.add(frozenset(parts))
+        self._faces.setdefault(frozenset(parts), []).extend(sides)
+
+    def _join(self, parts: tuple[str, str], sides: tuple[Array, Array]) -> str:
+        """Makes a perfect interface; its name."""
+        name = unused_name("_".join(parts), set(self._scene.child("Interfaces").names()))
+        interface = self._scene.child("Interfaces").child(name)
+        for side, (own, other, faces) in enumerate(zip(parts, reversed(parts), sides), 1):
+            interface.set(f"Side {side}", self.add_side_set(f"{own}_on_{other}", faces))
+        interface.child("Law").set("Type", "Perfect")
+        self._note(parts, *sides)
+        return name

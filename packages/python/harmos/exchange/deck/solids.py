@@ -381,4 +381,8 @@ class Solids:
             held = self.nodes(numpy.concatenate([ids for ids, _ in surface.rows]))
             inside = numpy.isin(outer.corners, held) | (outer.corners < 0)
             rows.append(outer.chosen(inside.all(axis=1)).rows())
+            loose = numpy.setdiff1d(held, self.nodes_of_sides(rows[-1]))
+            if len(loose):
+                self._findings.leave_out(surface.card.place, "*SURFACE, TYPE=NODE", f"{len(loose)} of its nodes are on no face whose corners "
+                                         "are all in it: they move as they like")
         return numpy.unique(numpy.concatenate(rows), axis=0)
