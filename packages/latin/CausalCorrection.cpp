@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -13,14 +12,11 @@
 #include <harmos/latin/detail/SelfStresses.hpp>
 #include <harmos/latin/detail/SoftMotions.hpp>
 #include <harmos/latin/detail/StepSpace.hpp>
+#include <harmos/latin/detail/UnfinishedSteps.hpp>
 
 namespace harmos::latin {
 namespace {
 
-// Share of the way that the residual may hide.
-constexpr double allowedToHide = 0.5;
-// Of what hides most: what goes on together with that.
-constexpr double hidesMuch = 0.5;
 // Gauss-Newton steps of a load step after each linear stage.
 constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
@@ -66,8 +62,8 @@ CausalCorrection::CausalCorrection(FixedPoint& fixedPoint, substructure::Precisi
       lines_(fixedPoint.assembly(), fixedPoint.searchDirection(), fixedPoint.layout()),
       softMotions_(std::make_unique<SoftMotions>(fixedPoint)),
       steps_(static_cast<std::size_t>(fixedPoint.assembly().steps()), StepSpace(fixedPoint, *softMotions_)),
-      isLeft_(steps_.size(), true),
-      targets_(fixedPoint.assembly().steps()) {}
+      targets_(fixedPoint.assembly().steps()),
+      unfinished_(std::make_unique<UnfinishedSteps>(targets_, steps_)) {}
 
 CausalCorrection::~CausalCorrection() = default;
 
@@ -130,7 +126,7 @@ void CausalCorrection::reduce(int step) {
   StepSpace& here = steps_[step];
   double& residual = targets_[step].residual;
   residual = evaluate(step);
-  const double enough = isLeft_[step] ? noise_ : targets_.of(step);
+  const double enough = unfinished_->isLeft(step) ? noise_ : targets_.of(step);
   for (int i = 0; i < gaussNewtonSteps && here.space().size() > 0 && residual > enough; ++i) {
     const bool isFresh = here.isStale();
     if (isFresh) here.differentiate(step);
@@ -174,41 +170,6 @@ void CausalCorrection::sweep(int first, void (CausalCorrection::*treat)(int step
   for (int t = first; t < end_; ++t) (this->*treat)(t);
 }
 
-std::vector<int> CausalCorrection::unfinished() {
-  std::vector<int> result, soft;
-  const double way = targets_.longestWay(end_);
-  for (int t = begin_; t < end_; ++t) {
-    const double residual = targets_[t].residual;
-    const auto hidesTooMuch = [&](double singularValue) { return residual > allowedToHide * singularValue * way; };
-    isLeft_[t] = residual > noise_ && (isAbove(t) || hidesTooMuch(steps_[t].smallestSingularValue()));
-    if (isLeft_[t]) {
-      result.push_back(t);
-    } else if (targets_.isLater() && residual > noise_ && hidesTooMuch(steps_[t].softest())) {
-      soft.push_back(t);
-    } else {
-      steps_[t].tangent().release();
-    }
-  }
-  // Only now, in later corrections: with them residuals fall before they have shown other slow modes.
-  goesForSoft_ = result.empty();
-  if (!goesForSoft_) return result;
-  for (const int t : soft) isLeft_[t] = true;
-  return soft;
-}
-
-std::vector<int> CausalCorrection::foremost(const std::vector<int>& steps) const {
-  if (!targets_.isLater()) return steps;
-  std::vector<int> result;
-  std::copy_if(steps.begin(), steps.end(), std::back_inserter(result), [this](int t) { return isAbove(t); });
-  if (!result.empty()) return result;
-  const auto hidden = [this](int t) { return targets_[t].residual / steps_[t].softest(); };
-  double most = 0.0;
-  for (const int t : steps) most = std::max(most, hidden(t));
-  std::copy_if(steps.begin(), steps.end(), std::back_inserter(result),
-               [&](int t) { return hidden(t) >= hidesMuch * most; });
-  return result;
-}
-
 substructure::Precision CausalCorrection::precision() {
   if (allowed_ == substructure::Precision::exact) return allowed_;
   // The image of a direction has this relative error, and a step goes along it as far as its residual asks for.
@@ -224,7 +185,7 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   std::vector<int> selected;
   std::vector<std::vector<double>> directions;
   for (const int t : steps) {
-    std::optional<std::vector<double>> v = goesForSoft_ ? steps_[t].nextMotion() : std::nullopt;
+    std::optional<std::vector<double>> v = unfinished_->goForSoftMotions() ? steps_[t].nextMotion() : std::nullopt;
     if (!v) v = steps_[t].nextDirection(residual_[t]);
     if (!v) continue;
     selected.push_back(t);
@@ -255,19 +216,6 @@ bool CausalCorrection::extend(const std::vector<int>& steps) {
   return true;
 }
 
-double CausalCorrection::hidden() const {
-  if (goesAstray_) return std::numeric_limits<double>::infinity();
-  const double way = targets_.longestWay(end_);
-  double largest = 0.0;
-  for (int t = 0; t < alpha_->numCols(); ++t) {
-    const double residual = targets_[t].residual;
-    if (residual <= noise_) continue;
-    const double seen = steps_[t].softest() * way;
-    largest = std::max(largest, seen > 0.0 ? residual / seen : std::numeric_limits<double>::infinity());
-  }
-  return largest;
-}
-
 void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
   const FixedPoint::AllStepsAtEnd restore(fixedPoint_);
   alpha_ = &alpha;
@@ -286,10 +234,10 @@ void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
   noise_ = fixedPoint_.roundOff(size);
   if (reach_ == 0.0) reach_ = farthest * size;
   goesAstray_ = false;
+  unfinished_->start(noise_);
   fixedPoint_.pointwiseStage().begin();
   for (int t = 0; t < alpha.numCols(); ++t) {
     targets_.start(t, evaluate(t));
-    isLeft_[t] = true;
     fixedPoint_.pointwiseStage().accept();
   }
 }
@@ -336,12 +284,14 @@ void CausalCorrection::approachTogether(int stages) {
   sweep(begin_, &CausalCorrection::reduce);
   const int first = fixedPoint_.linearStage().stages();
   std::vector<double> residuals{targets_.largestResidual(begin_, end_)};  // after every linear stage
+  const auto unfinished = [this] { return unfinished_->find(begin_, end_); };
   for (std::vector<int> left = unfinished(); !left.empty(); left = unfinished()) {
-    if (fixedPoint_.linearStage().stages() - first >= stages || !(extend(foremost(left)) || extend(left))) break;
+    const bool isOver = fixedPoint_.linearStage().stages() - first >= stages;
+    if (isOver || !(extend(unfinished_->foremost(left)) || extend(left))) break;
     sweep(left.front(), &CausalCorrection::reduce);
     residuals.push_back(targets_.largestResidual(begin_, end_));
-    const bool mayWait =
-        alpha_->numCols() <= stepsAtOnce && std::any_of(left.begin(), left.end(), [this](int t) { return isAbove(t); });
+    const bool mayWait = alpha_->numCols() <= stepsAtOnce &&
+                         std::any_of(left.begin(), left.end(), [this](int t) { return unfinished_->isAbove(t); });
     const std::size_t wait = mayWait ? patience : lessPatience;
     if (residuals.size() > wait && residuals.back() > slow * residuals[residuals.size() - 1 - wait]) break;
   }
@@ -398,7 +348,7 @@ CausalCorrection::Result CausalCorrection::correct(const Iterate& iterate, base:
       result.iterate = nullptr;
     }
   }
-  result.hidden = hidden();
+  result.hidden = goesAstray_ ? std::numeric_limits<double>::infinity() : unfinished_->hidden(end_);
   result.shares = targets_.sharesLeft(noise_);
   result.reduction = targets_.reduction(noise_);
   if (!(result.reduction <= 1.0)) {

@@ -12,6 +12,7 @@ namespace harmos::latin {
 
 class SoftMotions;
 class StepSpace;
+class UnfinishedSteps;
 
 /// Corrects a state towards alpha = T(alpha), every load step in a space of its own, one after the other.
 ///
@@ -87,14 +88,6 @@ class CausalCorrection {
   void settleFaintMotions(int step);
   /// What `treat` makes of the load steps at hand from `first` on in turn; the steps before have come to their end.
   void sweep(int first, void (CausalCorrection::*treat)(int step));
-  /// Those of the load steps at hand that have not come to their end.
-  std::vector<int> unfinished();
-  /// Whether a load step has not come to its target.
-  bool isAbove(int step) const { return targets_[step].residual > targets_.of(step); }
-  /// Of unfinished load steps those that go on: in later corrections first those with too large a residual; when these
-  /// have gone their ways, which all are measured by, those where most can be hidden.
-  std::vector<int> foremost(const std::vector<int>& steps) const;
-  double hidden() const;
   /// Collective. How far the fields of each load step have moved, relative to the largest [-].
   std::vector<double> ways() const;
   /// Brings all load steps to their end, some after the others, within so many linear stages.
@@ -119,11 +112,10 @@ class CausalCorrection {
   InterfaceLines lines_;
   std::unique_ptr<SoftMotions> softMotions_;
   std::vector<StepSpace> steps_;
-  std::vector<bool> isLeft_;  // per load step: it has not come to its end
-  double reach_ = 0.0;        // of ways along motions that hardly anything resists; 0: nothing was corrected yet
-  bool goesAstray_ = false;   // a residual has asked for more
-  bool goesForSoft_ = false;  // nothing but soft motions is left to be met
+  double reach_ = 0.0;       // of ways along motions that hardly anything resists; 0: nothing was corrected yet
+  bool goesAstray_ = false;  // a residual has asked for more
   CorrectionTargets targets_;
+  std::unique_ptr<UnfinishedSteps> unfinished_;
   int begin_ = 0, end_ = 0;               // of the load steps at hand
   int first_ = 0;                         // load step that the local stage begins at
   double noise_ = 0.0;                    // residuals below this one are round-off
