@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <harmos/latin/detail/RigidWork.hpp>
 #include <harmos/latin/detail/SymmetricEigen.hpp>
@@ -16,6 +17,8 @@ constexpr double rigid = 1e6;
 constexpr double holds = 0.5;
 // Of the largest stiffness: less is none.
 constexpr double none = 1e-12;
+// Of the largest: search directions that hardly feel a motion, as a turn about a line of points.
+constexpr double noPlay = 1e-6;
 
 /// Adds sum of s m m^T, with m the work of a unit force along `axis` at the arm r in the six motions.
 void addSpring(base::Matrix& stiffness, double spring, const base::Vector3& r, const base::Vector3& axis) {
@@ -63,6 +66,33 @@ double dot(const HeldMotions::Sixfold& a, const HeldMotions::Sixfold& b) {
   return sum;
 }
 
+/// The least eigenvalue of `holding` relative to `search`, both of motions that an assembly of this dimension has,
+/// among those that `search` resists; 1: it resists none.
+double leastResistance(const base::Matrix& holding, const base::Matrix& search, double extent, int dimension) {
+  const std::vector<int> possible = dimension == 2 ? std::vector<int>{0, 1, 5} : std::vector<int>{0, 1, 2, 3, 4, 5};
+  const auto count = static_cast<int>(possible.size());
+  const auto size = [&](int i) { return possible[i] < 3 ? 1.0 : extent; };
+  base::Matrix modes(count, count), held(count, count);
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < count; ++j) {
+      modes(i, j) = search(possible[i], possible[j]) / (size(i) * size(j));
+      held(i, j) = holding(possible[i], possible[j]) / (size(i) * size(j));
+    }
+  }
+  const std::vector<double> values = symmetricEigen(modes);
+  const auto first = static_cast<int>(
+      std::count_if(values.begin(), values.end(), [&](double value) { return value <= noPlay * values.back(); }));
+  const int felt = count - first;
+  if (felt == 0) return 1.0;
+  base::Matrix root(Teuchos::Copy, modes, count, felt, 0, first), product(count, felt), resistance(felt, felt);
+  for (int j = 0; j < felt; ++j) {
+    for (int i = 0; i < count; ++i) root(i, j) /= std::sqrt(values[first + j]);
+  }
+  product.multiply(Teuchos::NO_TRANS, Teuchos::NO_TRANS, 1.0, held, root, 0.0);
+  resistance.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, root, product, 0.0);
+  return symmetricEigen(resistance).front();
+}
+
 }  // namespace
 
 HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection,
@@ -82,7 +112,8 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
     }
     bodies_.push_back(std::move(body));
   }
-  std::vector<base::Matrix> ofBoundaries(bodies_.size());
+  const base::Matrix nothing(motions, motions);
+  std::vector<base::Matrix> ofBoundaries(bodies_.size()), search(bodies_.size(), nothing), holding(search);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     bodies_[b].stiffness.shape(motions, motions);
     bodies_[b].springs.shape(motions, motions);
@@ -100,20 +131,27 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
       for (int p = 0; p < interface.pairs(); ++p) {
         const double k = interface.area[p] * searchDirection.of(static_cast<int>(i))[p];
         const base::Vector3 r = interface.trace(side).at(p, assembly.bodies[b].nodes) - bodies_[b].centre;
-        for (std::size_t c = 0; c < 3 && !isEliminated; ++c) addSpring(bodies_[b].stiffness, k, r, unit(c));
+        for (std::size_t c = 0; c < 3; ++c) {
+          addSpring(search[b], k, r, unit(c));
+          if (isEliminated) continue;
+          addSpring(bodies_[b].stiffness, k, r, unit(c));
+          addSpring(holding[b], k, r, unit(c));
+        }
         if (!isEliminated) continue;
         const EliminatedBoundaries::Node& node =
             eliminated.nodes(static_cast<int>(b))[eliminated.nodeOf(static_cast<int>(i), p)];
         // Springs and rigid directions of a node that several boundaries touch count once each, which is enough here.
-        base::Tensor3 all{};
+        base::Tensor3 all{}, alike{};
         for (std::size_t row = 0; row < 3; ++row) {
           for (std::size_t column = 0; column < 3; ++column) {
             const double held = (row == column ? 1.0 : 0.0) - node.free[row][column];
             all[row][column] = node.springs[row][column] + rigid * k * held;
+            alike[row][column] = node.springs[row][column] + k * held;
           }
         }
         addSprings(ofBoundaries[b], all, r);
         addSprings(bodies_[b].springs, node.springs, r);
+        addSprings(holding[b], alike, r);
       }
     }
   }
@@ -124,8 +162,12 @@ HeldMotions::HeldMotions(const assembly::Assembly& assembly, const assembly::Sea
     double k = 0.0;
     for (int i = 0; i < 3; ++i) k = std::max(k, body.stiffness(i, i) + ofBoundaries[b](i, i) / rigid);
     for (int i = 0; i < motions; ++i) {
-      if (resisted[b][i]) ofBoundaries[b](i, i) += rigid * k * (i < 3 ? 1.0 : body.extent * body.extent);
+      if (!resisted[b][i]) continue;
+      ofBoundaries[b](i, i) += rigid * k * (i < 3 ? 1.0 : body.extent * body.extent);
+      holding[b](i, i) += search[b](i, i);
     }
+    const double resistance = leastResistance(holding[b], search[b], body.extent, assembly.dimension);
+    softness_ = std::max(softness_, 1.0 / std::max(resistance, std::numeric_limits<double>::epsilon()));
     // Rotations in the size of the body, so that all six are forces alike.
     const auto scale = [&](base::Matrix& a) {
       for (int i = 0; i < motions; ++i) {

@@ -33,6 +33,9 @@ class HeldMotions {
   Sixfold freeMotion(int body, const Sixfold& motion) const;
   /// Share of a motion that is held, |v - V V^T G v| / |v|, rotations in units of the extent.
   double heldShare(int body, const Sixfold& motion) const;
+  /// How many times softer than search directions at all its interfaces and boundaries a body is held, in the motion
+  /// that is resisted least [-]; the largest of all bodies with eliminated boundaries, 1 at least.
+  double softness() const { return softness_; }
   /// What springs of eliminated boundaries are against motions of a body, v^T S v = 2 x energy; 0 x 0: it has none.
   const base::Matrix& springs(int body) const { return bodies_[body].springs; }
 
@@ -46,6 +49,7 @@ class HeldMotions {
     base::Matrix free;       // V
   };
   std::vector<Body> bodies_;
+  double softness_ = 1.0;
 };
 
 }  // namespace harmos::latin

@@ -9,6 +9,8 @@ namespace {
 constexpr int draws = 3;
 // Of the largest draw: load steps are many, and the largest residual of all is compared.
 constexpr double safety = 2.0;
+// Of a state, that it is moved along itself.
+constexpr double shareOfState = 2.0 / 7.0;
 
 }  // namespace
 
@@ -33,6 +35,23 @@ double noiseOfImages(FixedPoint& fixedPoint, const base::Matrix& state) {
     largest = std::max(largest, metric.norm(left));
   }
   return safety * largest;
+}
+
+base::Matrix noiseAlong(FixedPoint& fixedPoint, const base::Matrix& alpha, const base::Matrix& beta) {
+  const std::vector<double> squares = fixedPoint.metric().squaredNorms(alpha);
+  const auto step = static_cast<int>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const FixedPoint::AllStepsAtEnd restore(fixedPoint);
+  fixedPoint.select({step});
+  const int rows = alpha.numRows();
+  base::Matrix moved(rows, 1), there(rows, 1), noise(rows, 1);
+  for (int row = 0; row < rows; ++row) noise(row, 0) = -2.0 * beta[step][row];
+  for (const double factor : {1.0 + shareOfState, 1.0 - shareOfState}) {
+    for (int row = 0; row < rows; ++row) moved(row, 0) = factor * alpha[step][row];
+    fixedPoint.solveLinear(moved, there);
+    noise += there;
+  }
+  noise.scale(safety);
+  return noise;
 }
 
 }  // namespace harmos::latin

@@ -101,12 +101,14 @@ LatinResult LatinSolver::solve(const base::Matrix* start) {
 bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const int before = stages();
   const auto running = timers_.start("certificate");
-  const bool mayMatter = RoundOff(fixedPoint_, responses_).mayMatter(iterate, options_.accuracy);
+  const RoundOff roundOff(fixedPoint_, responses_);
+  const bool mayMatter = roundOff.mayMatter(iterate, options_.accuracy);
   const Certificate::Result attempt = certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + stageLimit());
   if (attempt.conclusive) estimates_ = attempt.estimates;
   // Where a claim fails although errors are known, or laws have no kinks, round-off may be why: once is enough.
   const bool isSuspected = attempt.conclusive || fixedPoint_.assembly().isAffine();
-  const bool mustKnow = mayMatter && (attempt.claimed || (isSuspected && !knowsRoundOff_));
+  const bool mustKnow = mayMatter ? attempt.claimed || (isSuspected && !knowsRoundOff_)
+                                  : attempt.claimed && roundOff.mayMoveParts(*attempt.iterate, options_.accuracy);
   const bool isClaimed = (!mustKnow || standsRoundOff(attempt.iterate, attempt.claimed, result)) && attempt.claimed;
   stagesOfCertificates_ += stages() - before;
   if (isClaimed) {

@@ -1,4 +1,4 @@
-"""Slender bars in a row on joints that are far softer than they are, for extremes.py."""
+"""Bars and blocks in a row on joints and springs that are far softer than they are, for extremes.py."""
 
 
 def bars(cells, size, materials, joints, traction, pieces, accuracy):
@@ -34,3 +34,39 @@ def bars(cells, size, materials, joints, traction, pieces, accuracy):
             "end": {"Type": "Mean Displacement", "Side Set": f"{names[-1]}_xmax", "Direction": unit[0]},
             "across": {"Type": "Mean Displacement", "Side Set": f"{names[-1]}_xmax", "Direction": unit[-1]},
             "force": {"Type": "Interface Force", "Interface": "clamp", "Direction": unit[0]}}}
+
+
+def pressed_blocks(laws, springs, shear, accuracy, pressure=1e-3, hold=None):
+    """Plane blocks of 2 x 1 and modulus 1 in a row, pressed along x against what holds the first one: rigid, if not `hold`.
+
+    `laws` between them; `springs` across below some of them, by their number; the last one bears a traction `shear` across at
+    its top. Responses: `below<number>`, mean displacements across where springs are; `slip<number>`, that of the right side of
+    a joint; `across`, the force of what holds the first block, and `held`, its mean displacement there.
+    """
+    names = [f"b{i}" for i in range(len(laws) + 1)]
+    rigid = {"Type": "Prescribed Displacement", "X": 0.0, "Y": 0.0}
+
+    def displacement(side, direction=(0, 1)):
+        return {"Type": "Mean Displacement", "Side Set": side, "Direction": list(direction)}
+
+    return {
+        "Model": {"Kinematics": "Plane Strain"},
+        "Mesh": {"Type": "Boxes", "Boxes": {
+            name: {"Lower Corner": [2.0 * i, 0.0], "Upper Corner": [2.0 * i + 2.0, 1.0], "Cells": [5, 3]}
+            for i, name in enumerate(names)}},
+        "Materials": {"m": {"Type": "Isotropic", "Young's Modulus": 1.0, "Poisson's Ratio": 0.3}},
+        "Parts": {name: {"Material": "m"} for name in names},
+        "Interfaces": {f"j{i}": {"Side 1": f"b{i}_xmax", "Side 2": f"b{i + 1}_xmin", "Law": law} for i, law in enumerate(laws)},
+        "Boundaries": {
+            "hold": {"Side Set": "b0_xmin", "Law": hold or rigid},
+            "press": {"Side Set": f"{names[-1]}_xmax", "Law": {"Type": "Prescribed Traction", "X": -pressure}},
+            "shear": {"Side Set": f"{names[-1]}_ymax", "Law": {"Type": "Prescribed Traction", "Y": shear}},
+            **{f"s{i}": {"Side Set": f"b{i}_ymin", "Law": {"Type": "Elastic Foundation", "Normal Stiffness": stiffness,
+                                                           "Tangential Stiffness": 0.0}} for i, stiffness in springs.items()}},
+        "Steps": {"load": {}},
+        "Solver": {"Accuracy": accuracy},
+        "Responses": {
+            **{f"below{i}": displacement(f"b{i}_ymin") for i in springs},
+            **{f"slip{i}": displacement(f"b{i + 1}_xmin") for i in range(len(laws))},
+            "held": displacement("b0_xmin"),
+            "across": {"Type": "Interface Force", "Interface": "hold", "Direction": [0, 1]}}}

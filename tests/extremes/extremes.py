@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 
 import numpy
 
-from bars import bars
+from bars import bars, pressed_blocks
 from column import FRICTION, column, xml
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "packages" / "python"))
@@ -198,6 +198,15 @@ def _soft_joints():
                      [(1.0, 0.4), (1e-3, 4e-4), (1e-6, 1e-6), (1e-3, 1e-6)], 1e-6, [1, 1, 1, 1, 4], accuracy)
         yield Case("soft joints", f"to 1e8 times as soft as bars in space, accuracy {accuracy:g}", scene,
                    {"across": 0.0, "force": -9e-6})
+    for accuracy in (3e-2, 1e-5):
+        scene = pressed_blocks([], {}, 1e-13, accuracy, hold={"Type": "Elastic Foundation", "Normal Stiffness": 0.01,
+                                                              "Tangential Stiffness": 1e-10})
+        yield Case("soft joints", f"springs to 1e10 times as soft hold a block, accuracy {accuracy:g}", scene,
+                   {"held": 2e-3, "across": -2e-13}, "right" if accuracy > 1e-3 else "refused", reason="round-off")
+    for accuracy in (1e-4, 1e-7):
+        scene = pressed_blocks([{"Type": "Unilateral Contact"}], {1: 1e-6}, 0.0, accuracy)
+        yield Case("soft joints", f"springs 1e6 times as soft below a pressed block, accuracy {accuracy:g}", scene,
+                   {"below1": 0.0, "across": 0.0}, "right" if accuracy > 1e-6 else "refused", reason="round-off")
 
 
 def _damage():

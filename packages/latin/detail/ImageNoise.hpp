@@ -12,4 +12,9 @@ namespace harmos::latin {
 /// Costs a few columns of a linear stage. No iterate is valid afterwards.
 double noiseOfImages(FixedPoint& fixedPoint, const base::Matrix& state);
 
+/// Collective, all load steps selected. The same, field by field [stress] and with a margin, of the load step at which
+/// a state with this beta is largest, on the line from nothing through it: d drawn would move parts on soft springs
+/// farther than they are. Costs two columns of a linear stage. No iterate is valid afterwards.
+base::Matrix noiseAlong(FixedPoint& fixedPoint, const base::Matrix& alpha, const base::Matrix& beta);
+
 }  // namespace harmos::latin

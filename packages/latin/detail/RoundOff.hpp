@@ -33,6 +33,10 @@ class RoundOff {
   /// Collective, all load steps selected. False when round-off is so small beside the forces that no flexibility of
   /// the structure can make it a share of `accuracy` [-] that matters; costs no solve.
   bool mayMatter(const Iterate& iterate, double accuracy) const;
+  /// Collective, all load steps selected. Whether motions of the parts are resisted by so little (SoftMotions) that it
+  /// can matter although mayMatter() says that it does not; costs no solve. In the velocity form, and where loads are
+  /// to be found, it is not known.
+  bool mayMoveParts(const Iterate& iterate, double accuracy) const;
 
   /// Collective. Of alpha, whose iterate is given. Costs one linear stage where the answer is far below `accuracy`, a
   /// correction for each draw else. No iterate is valid afterwards.
@@ -41,6 +45,9 @@ class RoundOff {
  private:
   /// Of each body, with a margin: no response and no field is taken for known better than a solution of a body.
   std::vector<double> solutionErrors() const;
+  /// Collective. Round-off of the terms of K u over the largest sum of the forces of interfaces at a load step [-];
+  /// infinite: there are none.
+  double shareOfForces(const Iterate& iterate) const;
 
   FixedPoint& fixedPoint_;
   const std::vector<std::shared_ptr<const Response>>& responses_;

@@ -110,6 +110,24 @@ TEST(RoundOff, IsNotLookedForWhereItCannotMatter) {
   EXPECT_TRUE(RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-12));
 }
 
+// A block on springs that are far softer than what presses it is held by nothing else: round-off in its forces moves
+// it.
+TEST(RoundOff, IsLookedForWhereSpringsHardlyHoldABody) {
+  const auto mayMatter = [](double stiffness) {
+    BoxAssembly block({{"block", {0, 0, 0}, {1, 1, 1}, {2, 2, 2}}});
+    block.hold("ground", "block_zmin",
+               laws::makeLaw("Elastic Foundation", {{"Normal Stiffness", 10.0}, {"Tangential Stiffness", stiffness}}));
+    block.hold("load", "block_zmax", laws::makeLaw("Prescribed Traction", {{"Z", -1.0}}));
+    base::Timers timers;
+    FixedPoint fixedPoint(block.assembly(), {}, self(), timers);
+    base::Matrix alpha(fixedPoint.layout().rows(), 1), image(alpha);
+    const std::vector<std::shared_ptr<const Response>> none;
+    return RoundOff(fixedPoint, none).mayMatter(fixedPoint.apply(alpha, image), 1e-4);
+  };
+  EXPECT_FALSE(mayMatter(10.0));
+  EXPECT_TRUE(mayMatter(1e-7));
+}
+
 // Displacements are counted from motions and small; those that a draw leaves are not.
 TEST(RoundOff, DrawsDoNotAddUp) {
   constexpr int count = 60;
