@@ -226,6 +226,7 @@ class Reader {
         result.connectivity.push_back(fromOne(node, mesh_.nodes.size(), "node", elementBlocks, name));
       }
       for (int e = 0; e < result.elements(); ++e) number_.push_back(read_++);
+      sidesBefore_.push_back(mesh::sidesBeforeEdges(block.topology));
       mesh_.blocks.push_back(std::move(result));
     }
     if (unsupported.empty()) return;
@@ -259,18 +260,27 @@ class Reader {
       if (element < 0) continue;
       set.element.push_back(element);
       const mesh::ElementType type = elements.type(element);
-      const auto sideCount = static_cast<std::size_t>(mesh::sidesPerElement(type));
-      set.side.push_back(fromOne(sides[i], sideCount, "side", sideSets, name, [&] {
+      const int before = sidesBefore_[elements.block(element)];
+      const auto sideCount = static_cast<std::size_t>(before + mesh::sidesPerElement(type));
+      const int side = fromOne(sides[i], sideCount, "side", sideSets, name, [&] {
         return std::string(" of ") + mesh::exodusName(type) + " " + elementName(mesh_, element);
-      }));
+      });
+      if (side < before) {
+        refuse("side set \"" + name + "\" refers to side " + std::to_string(side + 1) + " of the shell " +
+               elementName(mesh_, element) + ", which is its face; in the plane there are edges only, sides 3 to " +
+               std::to_string(sideCount) + ". Write the block as " + mesh::exodusName(type) +
+               ", whose edges count from 1, or these edges by their numbers.");
+      }
+      set.side.push_back(side - before);
     }
     mesh_.sideSets.push_back(std::move(set));
   }
 
   std::string path_;
   std::set<std::string> unused_;
-  std::vector<int> number_;  // of each element of the file in the mesh; -1: not read
-  int read_ = 0;             // elements of the mesh so far
+  std::vector<int> number_;       // of each element of the file in the mesh; -1: not read
+  int read_ = 0;                  // elements of the mesh so far
+  std::vector<int> sidesBefore_;  // of each block of the mesh, see mesh::sidesBeforeEdges()
   int id_ = -1;
   std::int64_t nameLength_ = 32;
   mesh::Mesh mesh_;

@@ -68,6 +68,12 @@ const Topology& topologyOf(ElementType type) {
   return topologies()[static_cast<std::size_t>(type)];
 }
 
+std::string inCapitals(const std::string& name) {
+  std::string upper;
+  for (const char letter : name) upper += static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return upper;
+}
+
 }  // namespace
 
 int nodesPerElement(ElementType type) {
@@ -101,8 +107,7 @@ const char* exodusName(ElementType type) {
 }
 
 std::optional<ElementType> elementTypeFromExodus(const std::string& name, int dimension, int nodes) {
-  std::string upper;
-  for (const char letter : name) upper += static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  const std::string upper = inCapitals(name);
   for (const Topology& candidate : topologies()) {
     if (dimensionOf(candidate.type) != dimension || nodesPerElement(candidate.type) != nodes) continue;
     for (const char* accepted : candidate.exodusNames) {
@@ -110,6 +115,10 @@ std::optional<ElementType> elementTypeFromExodus(const std::string& name, int di
     }
   }
   return std::nullopt;
+}
+
+int sidesBeforeEdges(const std::string& exodusName) {
+  return inCapitals(exodusName).find("SHELL") == std::string::npos ? 0 : 2;
 }
 
 int sidesPerElement(ElementType type) {

@@ -26,6 +26,9 @@ const char* exodusName(ElementType type);
 /// The element that an Exodus block of this type name (any case), dimension and nodes per element holds; none if it is
 /// not supported. Shells count as plane elements in 2-D and are not supported in 3-D.
 std::optional<ElementType> elementTypeFromExodus(const std::string& name, int dimension, int nodes);
+/// How many sides an Exodus block of this type name (any case) counts before those of Harmos: a shell has two faces,
+/// and the edges come behind them, also in 2-D.
+int sidesBeforeEdges(const std::string& exodusName);
 /// Faces of an element, edges in 2-D.
 int sidesPerElement(ElementType type);
 /// Local node numbers of side `side` (both 0-based), in the order of Shards: corners counter-clockwise seen from

@@ -202,11 +202,29 @@ TEST_F(ExodusMesh, RefusesWhatIsNotSupported) {
   mesh::Mesh shell = mesh::boxes({{"skin", {}, {1.0, 1.0, 0.0}, {1, 1, 0}, mesh::ElementType::quad4}});
   shell.dimension = 3;
   expectContains(messageOf(write(shell, EX_LARGE_MODEL, "SHELL4")), "\"skin\" SHELL4 (4 nodes)");
-  shell.dimension = 2;
-  EXPECT_EQ(readExodus(write(shell, EX_LARGE_MODEL, "shell4")).blocks[0].type, mesh::ElementType::quad4);
   mesh::Mesh twins = sample(mesh::ElementType::hex8);
   twins.blocks[1].name = "left";
   expectContains(messageOf(write(twins, EX_LARGE_MODEL)), "two element blocks are named \"left\"");
+}
+
+// The first two sides of a shell are its faces.
+TEST_F(ExodusMesh, CountsTheEdgesOfShellsFromThree) {
+  mesh::Mesh shell = mesh::boxes({{"skin", {}, {1.0, 1.0, 0.0}, {1, 1, 0}, mesh::ElementType::quad4}});
+  shell.dimension = 2;
+  ASSERT_FALSE(shell.sideSets.empty());
+  mesh::Mesh written = shell;
+  for (mesh::SideSet& set : written.sideSets) {
+    for (int& side : set.side) side += 2;
+  }
+  const mesh::Mesh read = readExodus(write(written, EX_LARGE_MODEL, "shell4"));
+  EXPECT_EQ(read.blocks[0].type, mesh::ElementType::quad4);
+  for (std::size_t s = 0; s < shell.sideSets.size(); ++s) EXPECT_EQ(read.sideSets[s].side, shell.sideSets[s].side);
+  expectContains(messageOf(write(shell, EX_LARGE_MODEL, "SHELL4")),
+                 "which is its face; in the plane there are edges only, sides 3 to 6");
+  for (mesh::SideSet& set : written.sideSets) {
+    for (int& side : set.side) side += 4;
+  }
+  expectContains(messageOf(write(written, EX_LARGE_MODEL, "SHELL")), "there are 6; it is damaged or truncated");
 }
 
 TEST_F(ExodusMesh, LeavesOutWhatNobodyUses) {

@@ -156,6 +156,14 @@ def _read_blocks(path: str, file: netCDF4.Dataset, dimension: int, findings: Fin
     return blocks
 
 
+def _sides_before_edges(file: netCDF4.Dataset, mesh: Mesh) -> Array:
+    """Of every element how many sides come before its edges: a shell has two faces."""
+    kinds = [getattr(file.variables[f"connect{number}"], "elem_type", "").upper()
+             for number in range(1, _size(file, "num_el_blk") + 1) if _size(file, f"num_el_in_blk{number}")]
+    return numpy.concatenate([numpy.full(len(block.connectivity), 2 if "SHELL" in kind and mesh.dimension == 2 else 0)
+                              for kind, block in zip(kinds, mesh.blocks)])
+
+
 def read_exodus(path: str, findings: Findings) -> Mesh:
     """Reads the mesh of a file, for a starting scene; the program itself has a reader of its own.
 
@@ -174,8 +182,17 @@ def read_exodus(path: str, findings: Findings) -> Mesh:
         numbers = _numbers(file, "elem_num_map", int(mesh.first_elements()[-1]))
         for first, block in zip(mesh.first_elements(), mesh.blocks):
             block.numbers = None if numbers is None else numbers[first:first + len(block.connectivity)]
+        before = _sides_before_edges(file, mesh)
         for number, name in enumerate(_distinct(path, file, "ss_names", "num_side_sets", "sideset_", findings), 1):
-            mesh.side_sets[name] = numpy.column_stack([_entries(file, f"elem_ss{number}"), _entries(file, f"side_ss{number}")])
+            elements, sides = _entries(file, f"elem_ss{number}"), _entries(file, f"side_ss{number}")
+            if len(elements) and int(elements.max()) < len(before):
+                is_face = sides < before[elements]
+                if is_face.any():
+                    raise Refused(f"{path}: side set \"{name}\" refers to side {int(sides[is_face][0]) + 1} of a shell, which is its face; in "
+                                  "the plane there are edges only, which count from 3. Write the block as QUAD or TRI, whose edges count "
+                                  "from 1.")
+                sides = sides - before[elements]
+            mesh.side_sets[name] = numpy.column_stack([elements, sides])
         for number, name in enumerate(_distinct(path, file, "ns_names", "num_node_sets", "nodeset_", findings), 1):
             mesh.node_sets[name] = _entries(file, f"node_ns{number}")
     demand_sound(path, mesh)
