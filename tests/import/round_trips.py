@@ -20,7 +20,7 @@ from harmos.exchange.__main__ import main
 from harmos.exchange.elements import GMSH, MESHIO, permutation
 from harmos.exchange.exodus import read_exodus, write_exodus
 from harmos.exchange.findings import Findings
-from harmos.exchange.gmsh_mesh import session
+from harmos.exchange.gmsh_mesh import read_gmsh, session
 from harmos.exchange.mesh import LONGEST_NAME, Mesh
 
 harmos = sys.argv[1]
@@ -285,6 +285,40 @@ class RoundTrips(unittest.TestCase):
         self.assertIn("elements are there twice", bring(2.2, lambda: None)[1])
         bring(4.1, lambda: None)
         bring(4.1, ghosts)
+
+    def test_partitions_keep_their_groups(self) -> None:
+        # Two tetrahedra of two partitions, a face of each in a group, and a group whose faces are those of no entity.
+        (work / "parted.msh").write_text("""$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+4
+2 8 "left"
+2 9 "right"
+2 10 "nowhere"
+3 7 "body"
+$EndPhysicalNames
+$Nodes
+5
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 0 0 1
+5 1 1 1
+$EndNodes
+$Elements
+4
+1 2 4 8 1 1 1 1 2 3
+2 2 4 9 2 1 2 2 3 5
+3 4 4 7 1 1 1 1 2 3 4
+4 4 4 7 1 1 2 2 3 4 5
+$EndElements
+""")
+        findings = Findings()
+        mesh = read_gmsh(str(work / "parted.msh"), findings)
+        self.assertEqual([(block.part, len(block.connectivity)) for block in mesh.blocks], [("body", 2)])
+        self.assertEqual({name: len(rows) for name, rows in mesh.side_sets.items()}, {"left": 1, "right": 1})
+        self.assertEqual(findings.found, ["physical group \"nowhere\" of the file holds no elements"])
 
     def test_orders_are_those_of_gmsh(self) -> None:
         with session():

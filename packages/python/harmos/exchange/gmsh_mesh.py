@@ -23,6 +23,8 @@ def session() -> Iterator[None]:
     try:
         gmsh.option.setNumber("General.Terminal", 0)
         gmsh.option.setNumber("General.NumThreads", 1)
+        # Of partitioned meshes of format 2.2 it would look for elements between partitions, and end where there are none.
+        gmsh.option.setNumber("Mesh.PartitionCreateTopology", 0)
         yield
     finally:
         gmsh.finalize()
@@ -112,7 +114,13 @@ def _empty_groups(path: str) -> list[str]:
 
 
 def _groups(dimension: int, findings: Findings) -> dict[str, list[int]]:
-    """Entities of every physical group of a dimension, by its name; a name that is there twice gets a number."""
+    """Entities of every physical group of a dimension, with the partitions of each, by its name; a name that is there twice
+    gets a number."""
+    partitions = collections.defaultdict(list)
+    for _, entity in gmsh.model.getEntities(dimension):
+        of, parent = gmsh.model.getParent(dimension, entity)
+        if of == dimension:
+            partitions[parent].append(entity)
     result: dict[str, list[int]] = {}
     for _, tag in gmsh.model.getPhysicalGroups(dimension):
         word = {0: "point", 1: "curve", 2: "surface", 3: "volume"}[dimension]
@@ -120,7 +128,10 @@ def _groups(dimension: int, findings: Findings) -> dict[str, list[int]]:
         own = unused_name(name, result)
         if own != name:
             findings.found.append(f"physical group \"{name}\" (number {tag}) is called {own} here")
-        result[own] = [int(each) for each in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag)]
+        entities = [int(each) for each in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag)]
+        result[own] = list(dict.fromkeys(each for entity in entities for each in (entity, *partitions[entity])))
+        if not any(len(gmsh.model.mesh.getElements(dimension, entity)[0]) for entity in result[own]):
+            findings.found.append(f"physical group \"{name}\" of the file holds no elements")
     return result
 
 
