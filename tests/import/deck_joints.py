@@ -110,6 +110,22 @@ class Joints(DeckCase):
         self.assertIn("*SURFACE, TYPE=NODE: 1 of its nodes are on no face whose corners are all in it", self.told(text))
         self.assertNotIn("left out:", self.told(text.replace("36,22", "36")))
 
+    def test_what_no_face_or_interface_takes_is_told(self) -> None:
+        apart = WIDE.replace("3, 11,12,15,14", "3, 31,32,35,34").replace("4, 12,33,36,15", "4, 32,33,36,35").replace(
+            "33, 2, 0, 1\n", "31, 0, 0, 1\n32, 1, 0, 1\n33, 2, 0, 1\n34, 0, 1, 1\n35, 1, 1, 1\n")
+        equations = "".join(f"*EQUATION\n2\n{20 + node},{component},1.,{node},{component},-1.\n"
+                            for node in (11, 12, 14, 15, 13) for component in (1, 2, 3))
+        said = self.told(apart + MATERIAL + equations + FIXED + STEP.format(PULL))
+        self.assertIn("*EQUATION: 1 nodes of UPPER that equations tie to LOWER are on no face whose corners they all tie", said)
+        third = "*NODE\n" + "".join(f"{50 + n}, {x}, {y}, {z}\n" for n, (x, y, z) in enumerate(
+            ((0, 0, 5), (1, 0, 5), (1, 1, 5), (0, 1, 5), (0, 0, 6), (1, 0, 6), (1, 1, 6), (0, 1, 6)))) + (
+                "*ELEMENT,TYPE=C3D8,ELSET=FAR\n9, 50,51,52,53,54,55,56,57\n*SOLID SECTION,ELSET=FAR,MATERIAL=STEEL\n")
+        contact = ("*SURFACE INTERACTION,NAME=I\n*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=HARD\n"
+                   "*CONTACT PAIR,INTERACTION=I,TYPE=SURFACE TO SURFACE\nDOWN,UP\n")
+        said = self.told(apart.replace("4,S1", "4,S1\n9,S1") + third + MATERIAL + contact + FIXED + "50,1,3\n51,1,3\n52,1,3\n"
+                         + STEP.format(PULL))
+        self.assertIn("1 of 2 pairs of parts on DOWN and UP lie farther apart than 1 of the longest edge: between them there is no contact", said)
+
     def test_equations_of_bolts_are_listed(self) -> None:
         joint = "*NODE\n98,0,0,9\n99,0,0,9\n*PRE-TENSION SECTION,SURFACE=CUT,NODE=99\n*EQUATION\n2\n99,1,1.,98,1,-1.\n"
         text = WIDE.replace("4, 12,33,36,15", "4, 12,13,16,15") + "*SURFACE,NAME=CUT\n1,S2\n2,S2\n" + MATERIAL + joint + FIXED

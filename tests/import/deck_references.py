@@ -72,6 +72,21 @@ class References(DeckCase):
         self.assertGreater(self.solved(text)[-1]["reaction_moved_z_z"] ** 2, 1e-6)
         self.assertIn("1 of 1 equations", self.told(text.replace("100,3,3,0.02", "100,1,1,0.02")))
 
+    def test_references_and_equations_of_parts(self) -> None:
+        # Two instances of a part, each with a joint of its own.
+        deck = ("*PART,NAME=P\n" + CUBE + "*NODE,NSET=RP\n100, 0.5, 0.5, 2.\n101, 0, 0, 5\n*NSET,NSET=FOOT\n1,2,3,4\n*SURFACE,NAME=FACE\nCUBE,S2\n"
+                "*SOLID SECTION,ELSET=CUBE,MATERIAL=STEEL\n*COUPLING,REF NODE={},SURFACE=FACE,CONSTRAINT NAME=C\n*KINEMATIC\n1,3\n"
+                "*EQUATION\n2\n100,3,1.,101,3,-1.\n*END PART\n*ASSEMBLY,NAME=A\n*INSTANCE,NAME=I,PART=P\n*END INSTANCE\n"
+                "*INSTANCE,NAME=J,PART=P\n5.,0.,0.\n*END INSTANCE\n*END ASSEMBLY\n" + STEEL.split("*SOLID")[0]
+                + "*BOUNDARY\nI.FOOT,1,3\nJ.FOOT,1,3\n" + STEP.format("*BOUNDARY\nI.101,3,3,0.01\nJ.101,3,3,-0.02\n"))
+        for reference, text in (("100", deck), ("ONE", deck.replace("*NSET,NSET=FOOT", "*NSET,NSET=ONE\n100\n*NSET,NSET=FOOT"))):
+            with self.subTest(reference):
+                row = self.solved(text.format(reference))[-1]
+                forces = sorted(value for name, value in row.items() if "point" in name and name.endswith("_z"))
+                self.assertEqual(len(forces), 2, row)
+                for found, expected in zip(forces, (-20.0, 10.0)):
+                    self.assertAlmostEqual(found, expected, 4)
+
     def test_fixed_references_stay(self) -> None:
         keep = STEP.format("*BOUNDARY\n100,3,3,0.02\n") + STEP.format("*BOUNDARY,FIXED\n100,3\n")
         text = CUBE + STEEL + FACE + HELD + keep

@@ -182,6 +182,10 @@ class Equations:
             sides = self._faces(part, set(nodes)), self._faces(other_part, masters)
             if not len(sides[0]) or not len(sides[1]):
                 continue
+            loose = set(nodes) - set(self._solids.nodes_of_sides(sides[0]).tolist())
+            if loose:
+                self._findings.leave_out(complete[nodes[0]][0].card.place, "*EQUATION", f"{len(loose)} nodes of {part} that equations tie to "
+                                         f"{other_part} are on no face whose corners they all tie: they move as they like")
             ties.append(Tie(complete[nodes[0]][0].card, (part, other_part), sides))
             done |= {id(equation) for node in nodes for equation in complete[node].values()}
         return ties, [equation for equation in equations if id(equation) not in done]

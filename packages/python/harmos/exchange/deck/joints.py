@@ -140,18 +140,22 @@ class Joints:
             pieces = list(itertools.product(split_by_part(self._solids.mesh, slave).items(),
                                             split_by_part(self._solids.mesh, master).items()))
             mesh = self._solids.mesh
-            near, why = [], "contact of a part with itself, or of surfaces that no solid has"
+            near, far, why = [], 0, "contact of a part with itself, or of surfaces that no solid has"
             for (part, rows), (other_part, other_rows) in pieces:
                 if part == other_part:
                     continue
                 if not lie_opposite(mesh, rows, other_rows, reach):
                     why = f"no face of {words[0]} lies opposite one of {words[1]} nearer than {reach:g} of the longest edge"
+                    far += 1
                 elif not face_each_other(mesh, rows, other_rows):
                     why = f"{words[0]} and {words[1]} look the same way: {part} and {other_part} overlap"
                 else:
                     near.append(((part, rows), (other_part, other_rows)))
             if not near:
                 self._findings.leave_out(card.place_of(row), f"*{card.keyword}", why)
+            elif far:
+                self._findings.found.append(f"{card.place_of(row)}: {far} of {len(pieces)} pairs of parts on {words[0]} and {words[1]} lie "
+                                            f"farther apart than {reach:g} of the longest edge: between them there is no {word}")
             for (part, rows), (other_part, other_rows) in near:
                 base = clean_name(f"{words[0]}_{words[1]}".lower()) if len(near) == 1 else f"{part}_{other_part}"
                 name = unused_name(base, set(self._scene.child("Interfaces").names()))
