@@ -53,6 +53,14 @@ class Meaning(DeckCase):
         self.demand_axes("*ORIENTATION,NAME=O\n1., 0., 0., 0., 1., 0.\n1, 90.\n", [1, 0, 0], [0, 0, 1])
         self.demand_axes("*ORIENTATION,NAME=O\n2., 1., 0., 1., 2., 0., 1., 1., 0.\n", [1, 0, 0], [0, 1, 0])
 
+    def test_what_a_file_or_a_rule_distributes_is_listed(self) -> None:
+        axes = "*DISTRIBUTION,NAME=D\n,1.,0.,0.,0.,1.,0.\n*ORIENTATION,NAME=O\nD\n"
+        elastic = "*ELASTIC,TYPE=ENGINEERING CONSTANTS\n1000.,1000.,1000.,0.,0.,0.,500.,500.\n500.\n"
+        self.demand_told(CUBE + axes + STEEL.replace("*ELASTIC\n1000., 0.\n", elastic).replace("MATERIAL=STEEL\n", "MATERIAL=STEEL,ORIENTATION=O\n")
+                         + HELD + STEP.format("*DLOAD\nCUBE,P2,1.\n"), "ORIENTATION: the axes of the distribution \"D\", which differ")
+        self.demand_told(PLAIN.replace("*DENSITY", "*EXPANSION\n1e-5\n*DENSITY").replace(
+            "*DLOAD", "*TEMPERATURE,LINTEMP\n0.,1.,0.,.1,300.,.5,650.\n*DLOAD"), "TEMPERATURE, LINTEMP: temperatures that stand elsewhere")
+
     def test_axes_that_are_not_there(self) -> None:
         section = SECTION.replace("MATERIAL=", "ORIENTATION=O,MATERIAL=")
         text = CUBE + STIFF_ALONG_Z + "{}" + section + HELD + PRESS

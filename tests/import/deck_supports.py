@@ -44,6 +44,19 @@ class Supports(DeckCase):
         self.assertIn(f"1 nodes {LATE}", self.told(CUBE + bolt + STEP.format("*CLOAD\n9,1,1.\n") + draw))
         self.assertNotIn(LATE, self.told(CUBE + bolt + STEP.format("*CLOAD\n99,1,1.\n") + draw.replace("0.01", "0.")))
 
+    def test_supports_of_steps_that_are_left_out(self) -> None:
+        modes = STEP.format("*FREQUENCY\n10\n" + HELD).replace("*STATIC\n", "")
+        text = CUBE + STEEL + TOP + modes + STEP.format("*CLOAD\nTOP,3,1.\n")
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], -4.0, 4)
+        self.assertIn("the step *FREQUENCY: Harmos has static steps", self.told(text))
+        self.assertIn("*BOUNDARY: boundaries of a step that is left out",
+                      self.told(CUBE + STEEL + TOP + HELD + STEP.format("*CLOAD\nTOP,3,1.\n") + modes))
+
+    def test_fixed_at_the_beginning(self) -> None:
+        text = CUBE + STEEL + TOP + STEP.format(HELD.replace("*BOUNDARY", "*BOUNDARY,FIXED") + "*CLOAD\nTOP,3,1.\n")
+        self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], -4.0, 4)
+        self.assertNotIn("left out", self.told(text))
+
     def test_loads_on_what_is_held(self) -> None:
         hold, row = "*BOUNDARY\nTOP,3,3\n", "31: "
         for load, count in (("*CLOAD\nTOP,3,1.\n", "4 nodes"), ("*CLOAD\nTOP,3,1.\nTOP,1,1.\n5,1,1.\n", "4 nodes"),

@@ -19,7 +19,7 @@ from gmsh_writer import write_gmsh
 from harmos.exchange.__main__ import main
 from harmos.exchange.elements import GMSH, MESHIO, permutation
 from harmos.exchange.exodus import read_exodus, write_exodus
-from harmos.exchange.findings import Findings
+from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.gmsh_mesh import read_gmsh, session
 from harmos.exchange.mesh import LONGEST_NAME, Mesh
 
@@ -285,6 +285,15 @@ class RoundTrips(unittest.TestCase):
         self.assertIn("elements are there twice", bring(2.2, lambda: None)[1])
         bring(4.1, lambda: None)
         bring(4.1, ghosts)
+
+    def test_format_1_of_gmsh(self) -> None:
+        text = "$NOD\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$ENDNOD\n$ELM\n2\n1 2 8 1 3 1 2 3\n2 4 7 1 4 1 2 3 4\n$ENDELM\n"
+        (work / "old.msh").write_text(text)
+        mesh = read_gmsh(str(work / "old.msh"), Findings())
+        self.assertEqual(([len(block.connectivity) for block in mesh.blocks], [len(rows) for rows in mesh.side_sets.values()]), ([1], [1]))
+        (work / "old.msh").write_text(text.replace("$ENDELM\n", ""))
+        with self.assertRaisesRegex(Refused, "old.msh:12: there is no \\$ENDELM; the file is truncated"):
+            read_gmsh(str(work / "old.msh"), Findings())
 
     def test_partitions_keep_their_groups(self) -> None:
         # Two tetrahedra of two partitions, a face of each in a group, and a group whose faces are those of no entity.

@@ -1,4 +1,4 @@
-"""Meshes of Gmsh (.msh 2.2, 4.0, 4.1, ASCII and binary), read and written by Gmsh's library."""
+"""Meshes of Gmsh (.msh 1, 2.2, 4.0, 4.1, ASCII and binary), read and written by Gmsh's library."""
 import collections
 import contextlib
 import pathlib
@@ -43,7 +43,10 @@ def read_gmsh(path: str, findings: Findings) -> Mesh:
             gmsh.open(path)
         except Exception as error:  # Gmsh raises nothing more special
             raise Refused(f"{path}: Gmsh cannot read it: {error}. It is damaged or no mesh.") from None
-        errors = [line for line in gmsh.logger.get() if line.startswith(("Error", "Warning"))]
+        finally:
+            said = gmsh.logger.get()
+            gmsh.logger.stop()
+        errors = [line for line in said if line.startswith(("Error", "Warning"))]
         serious = [line for line in errors if line.startswith("Error")]
         if serious:
             raise Refused(f"{path}: Gmsh cannot read it: {serious[0].split(':', 1)[1].strip()}. It is damaged.")
@@ -58,6 +61,11 @@ def _demand_sections(path: str) -> None:
     content = pathlib.Path(path).read_bytes()
     if not content.lstrip().startswith(b"$"):
         raise Refused(f"{path}:1: this is no mesh of Gmsh: it does not begin with $MeshFormat.")
+    if content.lstrip().startswith(b"$NOD"):  # format 1
+        for word in ("ENDNOD", "ELM", "ENDELM"):
+            if not re.search(rb"^\$%s\b" % word.encode(), content, re.MULTILINE):
+                raise Refused(f"{path}:{content.count(b'%c' % 10) + 1}: there is no ${word}; the file is truncated or damaged.")
+        return
     ended = set(re.findall(rb"^\$End(\w+)", content, re.MULTILINE))
     known = (b"MeshFormat", b"PhysicalNames", b"Entities", b"Nodes", b"Elements", b"PartitionedEntities", b"Periodic",
              b"ParametricNodes")

@@ -34,6 +34,8 @@ class Boundaries:
                 self._acting.findings.leave_out(card.place, f"*BOUNDARY, {switch}", "these boundaries are left out")
                 return
         course = Course(span, self._amplitudes.of(card, span), at_once)
+        # Where nothing has moved yet, to stay is to be held at 0.
+        stays = "FIXED" in card.parameters and span.begin > 0.0
         late: set[int] = set()
         for row, words in enumerate(card.rows()):
             ids = self._acting.nodes(words[0], card, row)
@@ -47,7 +49,7 @@ class Boundaries:
             for node in coupled:
                 coupling, first = self._acting.couplings.at_node[node]
                 places = [component - 1 + first for component in components]
-                if "FIXED" in card.parameters:
+                if stays:
                     self._tell_free(card, row, int(any(at not in coupling.held for at in places)))
                     continue
                 for at in places:
@@ -64,7 +66,7 @@ class Boundaries:
                     self._acting.findings.leave_out(card.place_of(row), f"*BOUNDARY of component {others[0]}",
                                              "solids have displacements 1 to 3 only")
             inside = [c for c in components if 1 <= c <= self._acting.solids.mesh.dimension]
-            if "FIXED" in card.parameters:
+            if stays:
                 self._keep(card, row, ids, inside)
             else:
                 late |= self._hold(card, row, ids, inside, course, value)

@@ -67,7 +67,7 @@ class NodalLoads:
         if span is not None and not any(material.expansion for material in self._materials.values()):
             self._acting.findings.leave_out(card.place, "*TEMPERATURE", "no material expands: it has no effect")
             return
-        for switch in ("SUBMODEL", "USER", "FILE", "BSTEP"):
+        for switch in ("SUBMODEL", "USER", "FILE", "BSTEP", "LINTEMP"):
             if switch in card.parameters:
                 self._acting.findings.leave_out(card.place, f"*{card.keyword}, {switch}", "temperatures that stand elsewhere")
                 return

@@ -32,7 +32,12 @@ class Orientations:
                 self._findings.leave_out(card.place, f"*ORIENTATION, {switch}={card.get(switch)}", "axes that turn from point to point, or "
                                          "follow nodes: the global ones are taken")
                 return None
-        if len([word for word in card.rows()[0] if word] if card.data else []) < 6:
+        words = [word for word in card.rows()[0] if word] if card.data else []
+        if len(words) == 1:
+            self._findings.leave_out(card.place, "*ORIENTATION", f"the axes of the distribution \"{words[0]}\", which differ from element to "
+                                     "element: the global ones are taken")
+            return None
+        if len(words) < 6:
             raise Refused(f"{card.place_of(0)}: *ORIENTATION takes the coordinates of two points.")
         first, second, origin = (numpy.array([card.number(word, 0) for word in ([*card.rows()[0], *[""] * 9])[:9]])).reshape(3, 3)
         one, other = first - origin, second - origin

@@ -71,10 +71,22 @@ class LoadReader:
                 named = [card for card in step.cards if card.keyword not in OUTPUT]
                 self._findings.leave_out(step.card.place, "*STEP", f"the step *{named[0].keyword if named else 'STEP'}: "
                                          "Harmos has static steps")
+                self._hold_from(step, time)
                 continue
             time = self._step(step, procedure[0], number, time)
         self._refusals.raise_if_any()
         return self._loads
+
+    def _hold_from(self, step: Step, time: float) -> None:
+        """Boundaries of a step that is left out stay: those before all other steps hold from the beginning, others are listed."""
+        for card in step.cards:
+            if card.keyword != "BOUNDARY":
+                continue
+            if time > 0.0:
+                self._findings.leave_out(card.place, "*BOUNDARY", "boundaries of a step that is left out")
+                continue
+            with self._refusals.collect():
+                self._boundaries.read(card, Span(-1.0, 0.0), True)
 
     def _step(self, step: Step, static: Card, number: int, begin: float) -> float:
         """The end of the step."""
