@@ -99,11 +99,21 @@ class LadderTest(unittest.TestCase):
         """Other expansions are refined by a knob of their own."""
         for kind, expected in (("Adaptive Collocation", {"u, mean": 0.1, "u, standard deviation": 0.2}), ("Collocation", {})):
             document, study = mock.MagicMock(), mock.MagicMock(state="complete", mesh_changes={})
-            each = mock.MagicMock(mean=1.0, standard_deviation=0.5, mean_error=0.1, standard_deviation_error=0.2)
+            each = mock.MagicMock(mean=1.0, standard_deviation=0.5, mean_error=0.1, standard_deviation_error=0.2, iteration_error=0.0)
             study.statistics = mock.MagicMock(is_sample=False, responses={"u": each})
             with mock.patch("harmos.trade.outcome.read_study", return_value=study), mock.patch(
                     "harmos.trade.outcome.value_of", return_value=kind):
                 self.assertEqual(read_outcome(document, pathlib.Path("x"))[-1], expected)
+
+    def test_a_deviation_that_may_be_zero_counts_relative_to_its_mean(self) -> None:
+        """Whatever the iteration leaves of it, settings keep their targets."""
+        for deviation, size in ((0.0, 7.0), (1e-5, 7.0), (0.5, 0.5)):
+            study = mock.MagicMock(state="complete", mesh_changes={})
+            each = mock.MagicMock(mean=-7.0, standard_deviation=deviation, iteration_error=1e-4)
+            study.statistics = mock.MagicMock(is_sample=False, responses={"u": each})
+            with mock.patch("harmos.trade.outcome.read_study", return_value=study), mock.patch(
+                    "harmos.trade.outcome.value_of", return_value="Chaos"):
+                self.assertEqual(read_outcome(mock.MagicMock(), pathlib.Path("x"))[4], {"u, mean": 7.0, "u, standard deviation": size})
 
     def test_a_zero_of_one_mesh_is_not_known(self) -> None:
         """A second one tells that it is."""

@@ -62,6 +62,21 @@ class LimitTest(unittest.TestCase):
             self.assertTrue(numpy.isnan(order))
             self.assertGreaterEqual(doubt, factor * max(abs(values[1] - values[0]), abs(values[2] - values[1])) - 0.04)
 
+    def test_a_step_that_is_small_by_chance_is_no_limit(self) -> None:
+        """Lap joints whose edges lie within the cells of both parts, in other places on every mesh: 10.66 and 10.6403 are right."""
+        for values, right in (([9.98, 10.36, 12.17, 11.12, 11.23, 10.822, 10.8214], 10.66),
+                              ([9.297495, 10.236168, 10.583312, 10.656774, 10.658372], 10.6403)):
+            for levels in range(2, len(values) + 1):
+                limit, doubt, _ = self.limit(values[:levels])
+                self.assertLessEqual(abs(limit - right), doubt, levels)
+
+    def test_levels_that_were_irregular_before_leave_the_last_difference(self) -> None:
+        """A limit of three levels that the fourth one does not know of is known to what it has changed."""
+        limit, doubt, order = self.limit([4.0, 3.0, 3.2, 3.1, 3.05])
+        self.assertAlmostEqual(limit, 3.0)
+        self.assertAlmostEqual(order, 1.0)
+        self.assertAlmostEqual(doubt, 0.05)
+
     def test_one_level_tells_nothing_and_two_what_the_slowest_order_leaves(self) -> None:
         """What has not been refined is not known."""
         self.assertEqual(self.limit([1.0])[1], numpy.inf)

@@ -54,6 +54,7 @@ def main(words: list[str] | None = None) -> int:
     try:
         seconds = _measured(arguments.budget, TIMES, "--budget", "10min")
         memory = _measured(arguments.memory, SIZES, "--memory", "8GB") if arguments.memory else FREE * free_memory()
+        budget = Budget(seconds, memory)  # counts from here: large inputs take long to look at
         targets = sorted((_target(word) for word in arguments.targets.split(",")), reverse=True)
         document = Document(arguments.input)
         demand_comparable(document)
@@ -81,8 +82,7 @@ def main(words: list[str] | None = None) -> int:
         with workspace(folder) as work:
             runner = Runner(arguments.program, document, work)
             knobs = knobs_of(document, runner.accepts, elements_of(document.names("Parts"), said))
-            return _trade(document, runner, knobs, folder, work, Budget(seconds, memory), targets, responses,
-                          arguments.quiet)
+            return _trade(document, runner, knobs, folder, work, budget, targets, responses, arguments.quiet)
     except (OSError, ValueError) as error:
         print(f"harmos trade: {error}", file=sys.stderr)
         return 1 if isinstance(error, OSError) else 2

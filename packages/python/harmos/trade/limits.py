@@ -7,8 +7,9 @@ import numpy
 
 from harmos.arrays import Floats
 
-ORDERS = (0.4, 6.0)
-"""Orders of convergence that are believed, least and largest."""
+ORDERS = (0.4, 4.5)
+"""Orders of convergence that are believed, least and largest: quadratic elements have 4 at the best, and a step that is small by chance
+looks like more."""
 EQUAL_RATIOS = 0.02
 """Relative difference of two ratios of sizes that count as equal."""
 LEAST_DOUBT = 0.2
@@ -36,11 +37,11 @@ def limit_of(sizes: Sequence[float], values: Sequence[Floats], noise: Floats) ->
     """The limit of `values` [level][value] as `sizes` [level] go to 0; coarse levels first.
 
     With three levels whose sizes have one ratio, and whose differences shrink without changing sign at a credible
-    order, it is that of Richardson. Its uncertainty is the distance to the finest level, or, with a fourth level, what
-    the last level has changed in it, at least LEAST_DOUBT of that distance. Otherwise it is the finest level. Its
-    uncertainty is what the least credible order leaves of the last difference where there are two levels only, or the
-    differences grow; the last difference where they shrink faster than at the largest; else the largest of the last two. The
-    noise comes on top.
+    order, it is that of Richardson. Its uncertainty is the distance to the finest level; with a fourth level what the last
+    one has changed in it, at least LEAST_DOUBT of that distance and at most the larger of it and the last difference, and
+    that where the levels before have no limit. Otherwise it is the finest level. Its uncertainty is what the least credible order leaves of
+    the last difference where there are two levels only, or the differences grow; else the largest of the last two. The noise
+    comes on top.
 
     Args:
         sizes: decreasing.
@@ -96,14 +97,14 @@ def _scalar(sizes: Sequence[float], values: Sequence[float], noise: float) -> tu
             return last, slowest * abs(steps[1]) + noise, math.nan, "does not converge yet"
         if steps[0] * steps[1] > 0:
             fast = abs(steps[1]) < abs(steps[0]) / 2
-            return last, (1 if fast else slowest) * abs(steps[1]) + noise, math.nan, "the finest, no limit claimed"
+            return last, (largest if fast else slowest * abs(steps[1])) + noise, math.nan, "the finest, no limit claimed"
         return last, largest + noise, math.nan, "not monotone, difference to the finest"
     carried = abs(limit - last)
     doubt = carried
     if len(values) > 3:
         before, order_before = _richardson(sizes[-4:-1], values[-4:-1])
-        if not math.isnan(order_before):
-            doubt = min(carried, max(abs(limit - before), LEAST_DOUBT * carried))
+        moved = math.inf if math.isnan(order_before) else abs(limit - before)
+        doubt = max(min(moved, max(carried, abs(steps[1]))), LEAST_DOUBT * carried)
     return limit, doubt + noise, order, f"Richardson, order {order:.1f}"
 
 
