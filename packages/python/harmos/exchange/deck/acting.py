@@ -5,9 +5,10 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import Contents, Scope
+from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.loads import Loads
+from harmos.exchange.deck.scopes import Scope
 from harmos.exchange.deck.solids import Solids, is_solid
 from harmos.exchange.deck.tightening import Tightening
 from harmos.exchange.deck.transforms import Transforms

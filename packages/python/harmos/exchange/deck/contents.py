@@ -7,13 +7,8 @@ from harmos.arrays import Array
 from harmos.exchange.deck.cards import LARGEST_ID, Card
 from harmos.exchange.deck.kinds import nodes_of_kind
 from harmos.exchange.deck.placement import Placement, rectangular
+from harmos.exchange.deck.scopes import INSTANCE_OFFSET, Scope
 from harmos.exchange.findings import Findings, Refusals, Refused, names_there
-
-INSTANCE_OFFSET = 10_000_000_000
-"""Between the numbers of nodes and elements of one instance and the next; those of the assembly come before."""
-
-_REFERENCES = {"COUPLING": ("REFNODE",), "RIGIDBODY": ("REFNODE", "ROTNODE"), "PRE-TENSIONSECTION": ("NODE",)}
-"""Parameters that name a node, by its number or by a set, by keyword."""
 
 LARGEST_RANGE = 50_000_000
 """Numbers that a range may have: ten times the nodes of the largest mesh that fits into the memory of this import."""
@@ -61,18 +56,6 @@ class Step:
     """
     card: Card
     cards: list[Card] = dataclasses.field(default_factory=list)
-
-
-@dataclasses.dataclass
-class Scope:
-    """What names refer to: the deck, or an instance of a part in it.
-
-    Attributes:
-        prefix: of names of sets.
-        offset: of ids.
-    """
-    prefix: str = ""
-    offset: int = 0
 
 
 class Contents:
@@ -182,33 +165,10 @@ class Contents:
             if each.keyword in ("ORIENTATION", "TRANSFORM"):
                 each = placement.axes(each)
             if not self._take(each, scope):
-                self.model.append(dataclasses.replace(each, parameters=_scoped(each, scope, axes), data=self._scoped_data(each, scope)))
+                self.model.append(scope.card(each, axes, self.node_sets))
         for number in range(before, len(self._nodes)):
             ids, at = self._nodes[number]
             self._nodes[number] = ids, placement.points(at)
-
-    def _scoped_data(self, card: Card, scope: Scope) -> list[str]:
-        """Lines of data with nodes of the part, by numbers and sets, as the deck knows them."""
-        if card.keyword not in ("EQUATION", "BOUNDARY", "DISTRIBUTINGCOUPLING"):
-            return card.data
-
-        def named(word: str) -> str:
-            if word.lstrip("+").isdecimal():
-                return str(int(word) + scope.offset)
-            return scope.prefix + word if (scope.prefix + word).upper() in self.node_sets else word
-
-        rows = card.rows()
-        if card.keyword != "EQUATION":
-            return [", ".join([named(words[0]), *words[1:]]) for words in rows]
-        waiting = 0  # words of an equation that come yet
-        for words in rows:
-            for at, word in enumerate(words):
-                if word and not waiting:
-                    waiting = 3 * int(card.number(word, 0))
-                elif word:
-                    words[at] = named(word) if waiting % 3 == 0 else word
-                    waiting -= 1
-        return [", ".join(words) for words in rows]
 
     def _take(self, card: Card, scope: Scope) -> bool:
         """Takes what is geometry; whether it was."""
@@ -442,17 +402,3 @@ def _continued(lines: list[list[str]]) -> list[list[str]]:
             rows.append(own)
         goes_on = bool(rows) and not words[-1]
     return rows
-
-
-def _scoped(card: Card, scope: Scope, axes: set[str]) -> dict[str, str]:
-    """Parameters with names of sets, and of axes of the part, as the deck knows them."""
-    def is_scoped(name: str, value: str) -> bool:
-        return name in ("ELSET", "NSET", "SURFACE", *_REFERENCES.get(card.keyword, ())) or (
-            value.upper() in axes and (name == "ORIENTATION" or (card.keyword == "ORIENTATION" and name == "NAME")))
-
-    def scoped(name: str, value: str) -> str:
-        if name in _REFERENCES.get(card.keyword, ()) and value.lstrip("+").isdecimal():
-            return str(int(value) + scope.offset)
-        return scope.prefix + value if value and is_scoped(name, value) else value
-
-    return {name: scoped(name, value) for name, value in card.parameters.items()}

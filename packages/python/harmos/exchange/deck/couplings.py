@@ -7,8 +7,9 @@ from harmos.arrays import Array
 from harmos.exchange.deck.areas import nodal_areas
 from harmos.exchange.deck.cards import Card
 from harmos.exchange.deck.carried import INTO_REACTION
-from harmos.exchange.deck.contents import Contents, Scope
+from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.curves import Histories, Points, peak
+from harmos.exchange.deck.scopes import Scope
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refused, names_there
 from harmos.exchange.mesh import clean_name, ended_name, outer_faces, unused_name

@@ -6,9 +6,10 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import Contents, Scope
+from harmos.exchange.deck.contents import Contents
 from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.curves import Points
+from harmos.exchange.deck.scopes import Scope
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refusals, Refused
 from harmos.exchange.mesh import outer_faces

@@ -9,8 +9,9 @@ from scipy.sparse.csgraph import connected_components
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import INSTANCE_OFFSET, Contents, ElementTable, Surface
+from harmos.exchange.deck.contents import Contents, ElementTable, Surface
 from harmos.exchange.deck.kinds import SPRINGS
+from harmos.exchange.deck.scopes import INSTANCE_OFFSET
 from harmos.exchange.elements import MESHIO, TYPES, Order, to_exodus
 from harmos.exchange.findings import Findings, Refused
 from harmos.exchange.mesh import Block, Mesh, demand_sound, faces_of, outer_faces, unused_name

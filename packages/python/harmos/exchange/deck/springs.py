@@ -5,9 +5,10 @@ import numpy
 
 from harmos.arrays import Array
 from harmos.exchange.deck.cards import Card
-from harmos.exchange.deck.contents import Contents, ElementTable, Scope
+from harmos.exchange.deck.contents import Contents, ElementTable
 from harmos.exchange.deck.couplings import Couplings
 from harmos.exchange.deck.kinds import SPRINGS
+from harmos.exchange.deck.scopes import Scope
 from harmos.exchange.findings import Findings, Refused
 
 ALONG = 1e-3
