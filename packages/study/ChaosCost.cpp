@@ -85,10 +85,12 @@ ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const
   result.replicated = programBytes + result.points * perPoint + samples;
 
   const double fields = 2.0 * study.scene.solver.memory + otherFields;
-  // Configurations that are held out are solved with factors of their own.
-  const double factors = plan.holdOuts > 0 ? 2.0 : 1.0;
+  const double run = std::max(cost.processBytes - programBytes, cost.matrixBytes + cost.factorBytes);
+  // Configurations that are held out are runs with factors of their own.
+  const double ofHoldOuts =
+      plan.holdOuts > 0 ? cost.factorBytes + cost.singleBytes + cost.inverseBytes + cost.fieldBytes : 0.0;
   result.distributed =
-      cost.matrixBytes + factors * cost.factorBytes +
+      run + ofHoldOuts +
       entryBytes * steps * result.terms *
           (fields * static_cast<double>(cost.interfaceUnknowns) + 2.0 * static_cast<double>(cost.unknowns));
   const double perPolynomial =

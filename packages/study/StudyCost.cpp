@@ -136,8 +136,9 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, con
     for (const StochasticPlan::Sweep& sweep : study.stochastic->sweeps)
       result.solves *= static_cast<double>(sweep.coefficients.size());
     result.stages = ChaosCost::usualIterations;
-    result.seconds = once + result.solves * chaos->solveSeconds +
-                     study.stochastic->holdOuts * (cost.solveSeconds() + configurationSeconds);
+    result.seconds = once + result.solves * chaos->solveSeconds;
+    if (study.stochastic->holdOuts > 0)
+      result.seconds += cost.factorSeconds + study.stochastic->holdOuts * (cost.solveSeconds() + configurationSeconds);
     return result;
   }
   const double groups =
