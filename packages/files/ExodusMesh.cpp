@@ -261,8 +261,8 @@ class Reader {
       set.element.push_back(element);
       const mesh::ElementType type = elements.type(element);
       const int before = sidesBefore_[elements.block(element)];
-      const auto sideCount = static_cast<std::size_t>(before + mesh::sidesPerElement(type));
-      const int side = fromOne(sides[i], sideCount, "side", sideSets, name, [&] {
+      const int sideCount = before + mesh::sidesPerElement(type);
+      const int side = fromOne(sides[i], static_cast<std::size_t>(sideCount), "side", sideSets, name, [&] {
         return std::string(" of ") + mesh::exodusName(type) + " " + elementName(mesh_, element);
       });
       if (side < before) {
