@@ -8,6 +8,7 @@
 
 #include <harmos/latin/March.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/latin/detail/FaintMotions.hpp>
 #include <harmos/latin/detail/FieldDistances.hpp>
 #include <harmos/latin/detail/SelfStresses.hpp>
 #include <harmos/latin/detail/SoftMotions.hpp>
@@ -22,8 +23,6 @@ constexpr int gaussNewtonSteps = 3;
 constexpr int halvings = 2;
 // A Gauss-Newton step that leaves more than this share of the residual is not worth its local stages.
 constexpr double worthwhile = 0.999;
-// Of the first state: a way along motions that hardly anything resists which is farther is that of round-off.
-constexpr double farthest = 100.0;
 // Growth of a residual that is round-off.
 constexpr double unnoticed = 1e-9;
 // Times the residual that the tangent predicts, from which on it is found anew.
@@ -144,7 +143,7 @@ void CausalCorrection::settleFaintMotions(int step) {
   residual = evaluate(step);
   if (steps_[step].hasFaintMotions()) {
     const auto move = [&](double* alpha, double* beta) {
-      if (steps_[step].moveAlongFaint(residual_[step], alpha, beta) > reach_) goesAstray_ = true;
+      if (steps_[step].faintMotions().move(residual_[step], alpha, beta) > reach_) goesAstray_ = true;
     };
     const auto accepts = [&](double reached) { return !goesAstray_ && reached <= residual * (1.0 + unnoticed); };
     if (!tryMove(step, move, accepts)) evaluate(step);
@@ -232,7 +231,7 @@ void CausalCorrection::start(const Iterate& iterate, base::Matrix& alpha) {
   first_ = 0;
   const double size = std::sqrt(*std::max_element(squares.begin(), squares.end()));
   noise_ = fixedPoint_.roundOff(size);
-  if (reach_ == 0.0) reach_ = farthest * size;
+  if (reach_ == 0.0) reach_ = FaintMotions::farthest * size;
   goesAstray_ = false;
   unfinished_->start(noise_);
   fixedPoint_.pointwiseStage().begin();

@@ -83,7 +83,7 @@ class CausalCorrection {
                const std::function<bool(double reached)>& accepts);
   /// Moves a load step in its space if that makes |R| less; false when not even a quarter of the step does.
   bool takeStep(int step, const CorrectionSpace::LeastSquares& direction);
-  /// Moves a load step along motions that its space cannot hold, StepSpace::moveAlongFaint(), unless its residual grows
+  /// Moves a load step along motions that its space cannot hold, StepSpace::faintMotions(), unless its residual grows
   /// or asks for too much.
   void settleFaintMotions(int step);
   /// What `treat` makes of the load steps at hand from `first` on in turn; the steps before have come to their end.

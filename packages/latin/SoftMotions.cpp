@@ -163,13 +163,16 @@ bool SoftMotions::isLeftToLaws(const Motion& motion) const {
   return std::sqrt(squaresOfSprings(column(motion))(0, 0)) <= negligible * motion.resistance;
 }
 
-std::vector<double> SoftMotions::added(const Motion& motion) const {
+std::vector<double> SoftMotions::image(const Motion& motion) const {
   std::vector<double> result(static_cast<std::size_t>(fixedPoint_.layout().rows()), 0.0);
-  if (!clusters_.haveSprings()) return result;
-  const Matrix q = clusters_.lacking(column(motion));
-  onEachSide([&](int interface, int side,
-                 int pair) { return clusters_.addedAt(fixedPoint_.assembly().interfaces[interface], pair, q)[side]; },
-             result);
+  if (clusters_.haveSprings()) {
+    const Matrix q = clusters_.lacking(column(motion));
+    onEachSide([&](int interface, int side,
+                   int pair) { return clusters_.addedAt(fixedPoint_.assembly().interfaces[interface], pair, q)[side]; },
+               result);
+  }
+  const std::vector<double> way = state(motion);
+  for (std::size_t row = 0; row < way.size(); ++row) result[row] -= way[row];
   return result;
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <harmos/latin/detail/FaintMotions.hpp>
+#include <harmos/latin/detail/SoftMotions.hpp>
+
 namespace harmos::latin {
 namespace {
 
@@ -60,6 +63,8 @@ StepNewton::StepNewton(FixedPoint& fixedPoint)
       static_cast<int>(std::clamp<double>(numbersWhereLawsSoften / rows[0], maximumDirections, mostWhereLawsSoften));
 }
 
+StepNewton::~StepNewton() = default;
+
 double StepNewton::evaluate() {
   fixedPoint_.pointwiseStage().begin();
   for (std::size_t row = 0; row < offset_.size(); ++row) shifted_[0][row] = beta_[0][row] + offset_[row];
@@ -75,6 +80,11 @@ double StepNewton::evaluate() {
 bool StepNewton::extend(std::vector<double> v) {
   if (space().size() >= most_) return false;
   if (!space().makeIndependent(v.data()) && !tangent_->continueKrylov(v)) return false;
+  tangent_->add(v.data(), imageOf(v.data()).data(), true);
+  return true;
+}
+
+std::vector<double> StepNewton::imageOf(const double* v) {
   const int rows = alpha_.numRows();
   base::Matrix shifted(rows, 1), image(rows, 1);
   // As large as the state itself, so that the difference has its digits.
@@ -82,8 +92,32 @@ bool StepNewton::extend(std::vector<double> v) {
   for (int row = 0; row < rows; ++row) shifted[0][row] = start_[0][row] + size * v[row];
   fixedPoint_.solveLinear(shifted, image);
   for (int row = 0; row < rows; ++row) image[0][row] = (image[0][row] - startImage_[0][row]) / size;
-  tangent_->add(v.data(), image[0], true);
-  return true;
+  return {image[0], image[0] + rows};
+}
+
+bool StepNewton::settleSoftMotions(base::Matrix& state, double target) {
+  if (!isDamped_ || fixedPoint_.assembly().path) return true;
+  if (!softMotions_) softMotions_ = std::make_unique<SoftMotions>(fixedPoint_);
+  if (softMotions_->isEmpty()) return true;
+  const double size = evaluate();
+  if (size == 0.0) return true;
+  PairTangents tangents(fixedPoint_.assembly(), lines_);  // those of the space would ask for all its g anew
+  fixedPoint_.pointwiseStage().differentiateColumn(0, tangents);
+  const FaintMotions motions =
+      motionsBesideSpace(*softMotions_, tangents, fixedPoint_.metric(), [&](const double* v) { return imageOf(v); });
+  if (motions.isEmpty()) return true;
+  fromAlpha_.assign(alpha_);
+  fromBeta_.assign(beta_);
+  const double way = motions.move(residual_[0], alpha_[0], beta_[0]);
+  const bool isAstray = way > FaintMotions::farthest * fixedPoint_.metric().norm(fromAlpha_);
+  if (!isAstray && evaluate() <= std::max(size, enough(target))) {
+    state.assign(alpha_);
+    return true;
+  }
+  alpha_.assign(fromAlpha_);
+  beta_.assign(fromBeta_);
+  evaluate();  // the local stage must have met the state that is kept
+  return !isAstray;
 }
 
 CorrectionSpace::LeastSquares StepNewton::leastSquares(double enough) {
@@ -202,6 +236,7 @@ StepNewton::Result StepNewton::solveWith(const base::Matrix& offset, base::Matri
 
 void StepNewton::forget() {
   tangent_.emplace(fixedPoint_, lines_, substructure::Precision::exact);
+  if (scale_ != fixedPoint_.searchDirectionScale()) softMotions_.reset();
   scale_ = fixedPoint_.searchDirectionScale();
 }
 

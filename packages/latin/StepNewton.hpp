@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,8 @@
 #include <harmos/latin/TangentSpace.hpp>
 
 namespace harmos::latin {
+
+class SoftMotions;
 
 /// Semi-smooth Newton method for R(alpha) = T(alpha) - alpha = 0 at one load step, in a space of directions whose
 /// images are kept.
@@ -46,6 +49,9 @@ class StepNewton {
   /// Collective. `fixedPoint` must outlive it. Directions are forgotten when its search direction has got another
   /// scale, and where a full space does not help.
   explicit StepNewton(FixedPoint& fixedPoint);
+  ~StepNewton();
+  StepNewton(const StepNewton&) = delete;
+  StepNewton& operator=(const StepNewton&) = delete;
 
   /// Whether there are any directions.
   bool isUsed() const { return tangent_ && scale_ == fixedPoint_.searchDirectionScale() && space().size() > 0; }
@@ -60,6 +66,12 @@ class StepNewton {
   /// without progress; begins with no directions where the space is full.
   Result solveWith(const base::Matrix& offset, base::Matrix& state, base::Matrix& beta, double target, int steps,
                    StepLength length, const std::function<bool()>& mustStop);
+
+  /// Collective, right after solve() has brought `state` to `target`. Where laws soften, and loads follow no path:
+  /// moves it along motions of the parts that are too soft for its residual to show them, FaintMotions, as far as that
+  /// asks for, unless it grows above what is near enough. One column of a linear stage for each of which the image is
+  /// not known. False, and nothing is moved, where only round-off asks for so much.
+  bool settleSoftMotions(base::Matrix& state, double target);
 
   /// Collective, one load step selected. Goes the way d alpha/d tau = R(alpha) until |R| <= target, from a state and
   /// its beta: from where no solution is near to one that the joint comes to rest at, a stable one of the iteration
@@ -86,6 +98,8 @@ class StepNewton {
   double enough(double target) const;
   /// Begins with an empty space.
   void forget();
+  /// The image y of a direction v under the linear stage, solved here.
+  std::vector<double> imageOf(const double* v);
   /// R of the present alpha, into residual_; returns |R|.
   double evaluate();
   /// c of the least squares of R, with new directions until no more than `enough` of it is left.
@@ -109,6 +123,7 @@ class StepNewton {
   int most_ = maximumDirections;
   InterfaceLines lines_;
   std::optional<TangentSpace> tangent_;
+  std::unique_ptr<SoftMotions> softMotions_;
   double scale_ = 0.0;               // of the search direction of tangent_
   base::Matrix start_, startImage_;  // alpha and beta that images are differences from
   std::vector<double> offset_;       // what loads add to beta; empty: nothing

@@ -10,12 +10,8 @@
 namespace harmos::latin {
 namespace {
 
-// Resistance of motions of the parts that a space is to hold. Others are found soon enough by residuals.
-constexpr double soft = 0.02;
 // Resistance that images in single precision do not tell from nothing.
 constexpr double faintest = 1e-6;
-// That which least squares leave out.
-constexpr double lost = 2e-7;
 // Of the square of a motion: what a space that holds it may lack.
 constexpr double lacking = 0.1;
 
@@ -48,46 +44,14 @@ void StepSpace::differentiate(int step) {
   isStale_ = false;
   soft_.clear();
   faint_.clear();
-  for (SoftMotions::Motion& motion : softMotions_.find(tangent_->tangents(), soft)) {
-    if (motion.resistance < (softMotions_.isLeftToLaws(motion) ? faintest : lost)) {
-      faint_.push_back(faint(motion));
+  for (SoftMotions::Motion& motion : softMotions_.find(tangent_->tangents(), SoftMotions::hardest)) {
+    if (motion.resistance < (softMotions_.isLeftToLaws(motion) ? faintest : SoftMotions::lost)) {
+      faint_.add(softMotions_.state(motion), softMotions_.image(motion),
+                 softMotions_.change(tangent_->tangents(), motion));
     } else if (!holds(motion)) {
       soft_.push_back(std::move(motion));
     }
   }
-}
-
-StepSpace::Faint StepSpace::faint(const SoftMotions::Motion& motion) const {
-  const StateMetric& metric = fixedPoint_.metric();
-  Faint result{softMotions_.state(motion), softMotions_.added(motion),
-               softMotions_.change(tangent_->tangents(), motion)};
-  std::vector<double> square{0.0};
-  for (std::size_t row = 0; row < result.state.size(); ++row) {
-    square[0] += metric.scale()[row] * metric.scale()[row] * result.change[row] * result.change[row];
-    result.image[row] -= result.state[row];
-  }
-  metric.sum(square);
-  for (double& x : result.change) x /= square[0];
-  return result;
-}
-
-double StepSpace::moveAlongFaint(const double* residual, double* alpha, double* beta) const {
-  const std::vector<double>& scale = fixedPoint_.metric().scale();
-  std::vector<double> ways(faint_.size(), 0.0);
-  for (std::size_t i = 0; i < faint_.size(); ++i) {
-    for (std::size_t row = 0; row < scale.size(); ++row) {
-      ways[i] += scale[row] * scale[row] * faint_[i].change[row] * residual[row];
-    }
-  }
-  fixedPoint_.metric().sum(ways);
-  for (std::size_t i = 0; i < faint_.size(); ++i) {
-    for (std::size_t row = 0; row < scale.size(); ++row) {
-      alpha[row] += ways[i] * faint_[i].state[row];
-      beta[row] += ways[i] * faint_[i].image[row];
-    }
-  }
-  // The v are orthonormal.
-  return std::sqrt(std::inner_product(ways.begin(), ways.end(), ways.begin(), 0.0));
 }
 
 std::optional<std::vector<double>> StepSpace::nextMotion() {

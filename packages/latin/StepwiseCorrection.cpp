@@ -38,7 +38,9 @@ StepwiseCorrection::Result StepwiseCorrection::correct(const Iterate& iterate, b
     std::copy_n(images[t], rows, beta[0]);
     StepNewton::Result step = newton_.solve(state, beta, std::min(target, targets[t]), mustStop);
     if (!step.isReached && targets[t] < target) step = newton_.solve(state, beta, target, mustStop);
-    if (!step.isReached && !findAnotherWay(t, alpha, state, target, mustStop)) return result;
+    const bool isMet =
+        step.isReached ? newton_.settleSoftMotions(state, target) : findAnotherWay(t, alpha, state, target, mustStop);
+    if (!isMet) return result;
     result.smallestSingularValue = std::min(result.smallestSingularValue, step.smallestSingularValue);
     std::copy_n(state[0], rows, alpha[t]);
     fixedPoint_.pointwiseStage().accept();

@@ -10,7 +10,8 @@ namespace harmos::latin {
 /// Corrects a state towards alpha = T(alpha), one load step after the other, each by Newton's method with the history
 /// that the corrected steps before it have left.
 ///
-/// A load step with laws that soften is followed in parts where Newton's method does not lead to its end, or settles.
+/// A load step with laws that soften is followed in parts where Newton's method does not lead to its end, or settles;
+/// where it does, the state also goes along soft motions of the parts, and is not reached if round-off asks for them.
 /// Unlike a CausalCorrection it takes steps that make |R| greater, which kinks of the laws may ask for, and gives all
 /// load steps the directions of all. Displacement form, with the local stage PointwiseLocalStage.
 class StepwiseCorrection {

@@ -207,6 +207,12 @@ def _soft_joints():
         scene = pressed_blocks([{"Type": "Unilateral Contact"}], {1: 1e-6}, 0.0, accuracy)
         yield Case("soft joints", f"springs 1e6 times as soft below a pressed block, accuracy {accuracy:g}", scene,
                    {"below1": 0.0, "across": 0.0}, "right" if accuracy > 1e-6 else "refused", reason="round-off")
+    glue = {"Type": "Cohesive Zone", "Stiffness": 1.0, "Normal Strength": 1.0, "Shear Strength": 1.0,
+            "Mode I Fracture Energy": 2.0, "Mode II Fracture Energy": 2.0}
+    for accuracy in (1e-3, 1e-5):
+        scene = pressed_blocks([glue, {"Type": "Unilateral Contact"}], {2: 1e-6}, 0.0, accuracy)
+        yield Case("soft joints", f"the same beside glue that can soften, accuracy {accuracy:g}", scene,
+                   {"below2": 0.0, "across": 0.0})
 
 
 def _damage():

@@ -24,6 +24,11 @@ namespace harmos::latin {
 /// perfect. Limit: as ClusterMotions.
 class SoftMotions {
  public:
+  /// Resistance of motions that corrections are to meet. Others are found soon enough by residuals.
+  static constexpr double hardest = 0.02;
+  /// That which least squares leave out.
+  static constexpr double lost = 2e-7;
+
   /// A motion of all parts together.
   struct Motion {
     double resistance;           ///< s [-]
@@ -33,6 +38,8 @@ class SoftMotions {
   /// Not collective. `fixedPoint` must outlive it.
   explicit SoftMotions(const FixedPoint& fixedPoint);
 
+  /// No part can move, or too many can. Not collective, and the same on every rank.
+  bool isEmpty() const { return clusters_.size() == 0; }
   /// Collective. Those at a load step with these tangents that are resisted by less than `limit` [-], but not by
   /// nothing or the round-off of tangents, orthogonal to each other; the softest first. The same on every rank.
   std::vector<Motion> find(const PairTangents& tangents, double limit) const;
@@ -41,9 +48,9 @@ class SoftMotions {
   bool isLeftToLaws(const Motion& motion) const;
   /// alpha = k R [stress], rows of the layout on this rank, of norm 1. Not collective.
   std::vector<double> state(const Motion& motion) const;
-  /// What springs of eliminated boundaries add to its image -k R: ClusterMotions::addedAt() times k [stress], rows of
-  /// the layout on this rank. Not collective.
-  std::vector<double> added(const Motion& motion) const;
+  /// Its image -k R + k b [stress], b that of rigid bodies: ClusterMotions::addedAt(); rows of the layout on this rank.
+  /// Not collective.
+  std::vector<double> image(const Motion& motion) const;
   /// What I - J makes of it [stress], u = k b + 2 D k ((R1 - b1) - (R2 - b2)) on side 1, the second share back on side
   /// 2, rows of the layout on this rank. Not collective.
   std::vector<double> change(const PairTangents& tangents, const Motion& motion) const;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <harmos/latin/TangentSpace.hpp>
+#include <harmos/latin/detail/FaintMotions.hpp>
 #include <harmos/latin/detail/SoftMotions.hpp>
 
 namespace harmos::latin {
@@ -14,15 +15,13 @@ class StepSpace {
  public:
   /// Both must outlive it. Not collective; not open.
   StepSpace(FixedPoint& fixedPoint, const SoftMotions& softMotions)
-      : fixedPoint_(fixedPoint), softMotions_(softMotions) {}
+      : fixedPoint_(fixedPoint), softMotions_(softMotions), faint_(fixedPoint.metric()) {}
 
   /// Whether there are motions that are resisted by so little that images of directions cannot tell, as far as they
   /// have been looked for. Not collective, and the same on every rank.
-  bool hasFaintMotions() const { return !faint_.empty(); }
-  /// Collective. Moves a state alpha with its beta, rows of the layout, along these as far as its residual R asks for:
-  /// of v = k R, with the image y = -k R (and SoftMotions::added(), which knows rigid bodies only), I - J makes u = v +
-  /// y - 2 D y, so that alpha += a v and beta += a y with a = u.R / |u|^2. Returns how far that is in the metric.
-  double moveAlongFaint(const double* residual, double* alpha, double* beta) const;
+  bool hasFaintMotions() const { return !faint_.isEmpty(); }
+  /// Those.
+  const FaintMotions& faintMotions() const { return faint_; }
 
   /// Whether there are directions and tangents.
   bool isOpen() const { return tangent_.has_value(); }
@@ -55,12 +54,7 @@ class StepSpace {
   double softest() const;
 
  private:
-  /// A motion that the space leaves to moveAlongFaint().
-  struct Faint {
-    std::vector<double> state, image, change;  // v, y and u / |u|^2, rows of the layout
-  };
   bool holds(const SoftMotions::Motion& motion) const;
-  Faint faint(const SoftMotions::Motion& motion) const;
 
   FixedPoint& fixedPoint_;
   const SoftMotions& softMotions_;
@@ -68,7 +62,7 @@ class StepSpace {
   bool isStale_ = true;
   double closed_ = 1.0;                    // smallest singular value of the spaces that were let go of
   std::vector<SoftMotions::Motion> soft_;  // of the tangents, not held; the softest first
-  std::vector<Faint> faint_;
+  FaintMotions faint_;
 };
 
 }  // namespace harmos::latin
