@@ -52,6 +52,14 @@ class Coupling:
     forces: dict[int, Points] = dataclasses.field(default_factory=dict)
     springs: dict[int, float] = dataclasses.field(default_factory=dict)
 
+    def has_faces(self) -> bool:
+        """Whether faces follow, not nodes."""
+        return self.sides is not None
+
+    def take(self, other: "Coupling") -> None:
+        """Adds the faces of another one."""
+        self.sides = numpy.unique(numpy.concatenate([sides for sides in (self.sides, other.sides) if sides is not None]), axis=0)
+
 
 class Couplings:
     """All couplings of a deck.
@@ -213,10 +221,10 @@ class Couplings:
         Raises:
             Refused: something else follows the same node.
         """
-        if not (one.is_rigid and other.is_rigid) or one.sides is None or other.sides is None:
+        if not (one.is_rigid and other.is_rigid and one.has_faces() and other.has_faces()):
             raise Refused(f"{other.card.place}: node {node} is the reference of {one.card.place} already, and not both are rigid faces; "
                           "give each a node of its own.")
-        one.sides = numpy.unique(numpy.concatenate([one.sides, other.sides]), axis=0)
+        one.take(other)
         self._findings.undecided.append(f"{other.card.place}: with {one.card.place} it is one rigid face, as in Abaqus; in CalculiX both "
                                         f"turn by themselves about node {node}")
 
