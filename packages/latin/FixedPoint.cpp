@@ -225,6 +225,7 @@ void FixedPoint::unperturb() {
 }
 
 void FixedPoint::select(const std::vector<int>& steps) {
+  if (!linear_) return;  // softer operators could not be factored, and the error unwinds what would select
   linear_->select(steps);
   fields_.steps = steps;
   local_->select(steps);
