@@ -52,6 +52,12 @@ class DeckCase(unittest.TestCase):
             code = main(["import", "--output", str(work / "out"), str(work / f"{name}.inp")])
         return code, said.getvalue()
 
+    def told(self, text: str) -> str:
+        """What an import says that is not refused."""
+        code, said = self.imported(text)
+        self.assertEqual(code, 0, said)
+        return said
+
     def solved(self, text: str, *words: str) -> list[dict[str, float]]:
         """The history of all responses."""
         code, said = self.imported(text)

@@ -3,6 +3,7 @@
 
 deck_joints.py HARMOS WORK_DIR
 """
+import shutil
 import sys
 import unittest
 
@@ -45,19 +46,22 @@ WIDE = """*NODE
 4,S1
 """
 """A block of 2 x 1 on another one; beside the middle they have nodes of their own."""
+APART = WIDE.replace("3, 11,12,15,14", "3, 31,32,35,34").replace("4, 12,33,36,15", "4, 32,33,36,35").replace(
+    "33, 2, 0, 1\n", "31, 0, 0, 1\n32, 1, 0, 1\n33, 2, 0, 1\n34, 0, 1, 1\n35, 1, 1, 1\n")
+"""The same with nodes of their own everywhere."""
 MATERIAL = STEEL.replace("ELSET=CUBE", "ELSET=LOWER") + "*SOLID SECTION,ELSET=UPPER,MATERIAL=STEEL\n"
 FIXED = "*BOUNDARY\nFOOT,1,3\nTOP,1,2\n"
-RIGHT = "*CLOAD\n23,3,1.\n26,3,1.\n"
+CONTACT = ("*SURFACE INTERACTION,NAME=I\n*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=HARD\n"
+           "*CONTACT PAIR,INTERACTION=I,TYPE=SURFACE TO SURFACE\nDOWN,UP\n")
 PULL = "*BOUNDARY\nTOP,3,3,0.01\n"
 
 
-class Joints(DeckCase):
-    def told(self, text: str) -> str:
-        """What an import says that is not refused."""
-        code, said = self.imported(text)
-        self.assertEqual(code, 0, said)
-        return said
+def equal_motions(*nodes: int) -> str:
+    """Equations that tie upper nodes to these lower ones of APART."""
+    return "".join(f"*EQUATION\n2\n{20 + node},{component},1.,{node},{component},-1.\n" for node in nodes for component in (1, 2, 3))
 
+
+class Joints(DeckCase):
     def test_a_slit_between_parts_that_share_nodes(self) -> None:
         # Of two columns of stiffness 500 only one is pulled: what the other one carries comes through their sides.
         slit = WIDE + MATERIAL + FIXED + STEP.format(PULL)
@@ -72,9 +76,7 @@ class Joints(DeckCase):
         self.assertGreater(force["slit"], 5.0)
 
     def test_contact_and_ties_beside_shared_nodes(self) -> None:
-        contact = ("*SURFACE INTERACTION,NAME=I\n*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=HARD\n"
-                   "*CONTACT PAIR,INTERACTION=I,TYPE=SURFACE TO SURFACE\nDOWN,UP\n")
-        for joint, pressed, pulled in ((contact, -10.0, None), ("*TIE,NAME=T\nDOWN,UP\n", -10.0, 10.0)):
+        for joint, pressed, pulled in ((CONTACT, -10.0, None), ("*TIE,NAME=T\nDOWN,UP\n", -10.0, 10.0)):
             with self.subTest(joint):
                 text = WIDE + MATERIAL + joint + FIXED + STEP.format(PULL)
                 self.assertAlmostEqual(self.solved(text.replace("0.01", "-0.01"))[-1]["reaction_moved_xyz_z"], pressed, 3)
@@ -86,43 +88,31 @@ class Joints(DeckCase):
                     self.assertAlmostEqual(force, pulled, 3)
 
     def test_equations_beside_a_contact(self) -> None:
-        # Upper nodes of their own everywhere; equations tie the left half, contact is on the right one.
-        apart = WIDE.replace("3, 11,12,15,14", "3, 31,32,35,34").replace("4, 12,33,36,15", "4, 32,33,36,35").replace(
-            "33, 2, 0, 1\n", "31, 0, 0, 1\n32, 1, 0, 1\n33, 2, 0, 1\n34, 0, 1, 1\n35, 1, 1, 1\n")
-        equations = "".join(f"*EQUATION\n2\n{20 + node},{component},1.,{node},{component},-1.\n"
-                            for node in (11, 12, 14, 15) for component in (1, 2, 3))
-        contact = ("*SURFACE INTERACTION,NAME=I\n*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=HARD\n"
-                   "*CONTACT PAIR,INTERACTION=I,TYPE=SURFACE TO SURFACE\nDOWN,UP\n")
-        text = apart + MATERIAL + contact + equations + FIXED + STEP.format(PULL)
+        # Equations tie the left half, contact is on the right one.
+        equations = equal_motions(11, 12, 14, 15)
+        text = APART + MATERIAL + CONTACT + equations + FIXED + STEP.format(PULL)
         self.assertNotIn("left out:", self.told(text))
         force = self.solved(text)[-1]["reaction_moved_xyz_z"]
         self.assertLess(force, 9.0)
         self.assertGreater(force, 5.0)
-        on_contact = "".join(f"*EQUATION\n2\n{20 + node},{component},1.,{node},{component},-1.\n"
-                             for node in (12, 13, 15, 16) for component in (1, 2, 3))
+        on_contact = equal_motions(12, 13, 15, 16)
         self.assertIn("*EQUATION: equations that tie UPPER to LOWER on faces that an interface has already",
                       self.told(text.replace(equations, on_contact)))
 
     def test_nodes_of_a_surface_on_no_face_are_listed(self) -> None:
-        nodes = "*SURFACE,NAME=NODES,TYPE=NODE\nN\n*NSET,NSET=N\n33,36,12\n"
         text = WIDE.replace("*SURFACE,NAME=UP", "*NSET,NSET=N\n12,15,33,36,22\n*SURFACE,NAME=UP") + MATERIAL
-        text += nodes.split("*NSET")[0] + "*TIE,NAME=T\nNODES,UP\n" + FIXED + STEP.format(PULL)
+        text += "*SURFACE,NAME=NODES,TYPE=NODE\nN\n*TIE,NAME=T\nNODES,UP\n" + FIXED + STEP.format(PULL)
         self.assertIn("*SURFACE, TYPE=NODE: 1 of its nodes are on no face whose corners are all in it", self.told(text))
         self.assertNotIn("left out:", self.told(text.replace("36,22", "36")))
 
     def test_what_no_face_or_interface_takes_is_told(self) -> None:
-        apart = WIDE.replace("3, 11,12,15,14", "3, 31,32,35,34").replace("4, 12,33,36,15", "4, 32,33,36,35").replace(
-            "33, 2, 0, 1\n", "31, 0, 0, 1\n32, 1, 0, 1\n33, 2, 0, 1\n34, 0, 1, 1\n35, 1, 1, 1\n")
-        equations = "".join(f"*EQUATION\n2\n{20 + node},{component},1.,{node},{component},-1.\n"
-                            for node in (11, 12, 14, 15, 13) for component in (1, 2, 3))
-        said = self.told(apart + MATERIAL + equations + FIXED + STEP.format(PULL))
+        equations = equal_motions(11, 12, 14, 15, 13)
+        said = self.told(APART + MATERIAL + equations + FIXED + STEP.format(PULL))
         self.assertIn("*EQUATION: 1 nodes of UPPER that equations tie to LOWER are on no face whose corners they all tie", said)
         third = "*NODE\n" + "".join(f"{50 + n}, {x}, {y}, {z}\n" for n, (x, y, z) in enumerate(
             ((0, 0, 5), (1, 0, 5), (1, 1, 5), (0, 1, 5), (0, 0, 6), (1, 0, 6), (1, 1, 6), (0, 1, 6)))) + (
                 "*ELEMENT,TYPE=C3D8,ELSET=FAR\n9, 50,51,52,53,54,55,56,57\n*SOLID SECTION,ELSET=FAR,MATERIAL=STEEL\n")
-        contact = ("*SURFACE INTERACTION,NAME=I\n*SURFACE BEHAVIOR,PRESSURE-OVERCLOSURE=HARD\n"
-                   "*CONTACT PAIR,INTERACTION=I,TYPE=SURFACE TO SURFACE\nDOWN,UP\n")
-        said = self.told(apart.replace("4,S1", "4,S1\n9,S1") + third + MATERIAL + contact + FIXED + "50,1,3\n51,1,3\n52,1,3\n"
+        said = self.told(APART.replace("4,S1", "4,S1\n9,S1") + third + MATERIAL + CONTACT + FIXED + "50,1,3\n51,1,3\n52,1,3\n"
                          + STEP.format(PULL))
         self.assertIn("1 of 2 pairs of parts on DOWN and UP lie farther apart than 1 of the longest edge: between them there is no contact", said)
 
@@ -135,14 +125,8 @@ class Joints(DeckCase):
     def test_sets_in_steps(self) -> None:
         text = CUBE + STEEL + HELD + STEP.format("*NSET,NSET=LATE\n5,6,7,8\n*CLOAD\nLATE,3,2.\n")
         self.assertAlmostEqual(self.solved(text)[-1]["reaction_held_xyz_z"], -8.0, 4)
-        self.demand_refused_after(text.replace("5,6,7,8\n*CLOAD", "5,six,7,8\n*CLOAD"), "deck.inp:26", "there is no set \"six\"")
-
-    def demand_refused_after(self, text: str, *words: str) -> None:
-        """As demand_refused(), with the scene that the test has made removed before."""
-        for file in (work / "out").iterdir():
-            file.unlink()
-        (work / "out").rmdir()
-        self.demand_refused(text, *words)
+        shutil.rmtree(work / "out")
+        self.demand_refused(text.replace("5,6,7,8\n*CLOAD", "5,six,7,8\n*CLOAD"), "deck.inp:26", "there is no set \"six\"")
 
     def test_loads_that_are_said_twice_in_a_step_add_up(self) -> None:
         start = CUBE + STEEL + "*AMPLITUDE,NAME=HALF\n0.,0.,1.,0.5\n*NSET,NSET=TOP\n5,6,7,8\n" + HELD

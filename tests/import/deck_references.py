@@ -14,12 +14,6 @@ SECOND = ("*NODE\n11, 0, 0, 3\n12, 1, 0, 3\n13, 1, 1, 3\n14, 0, 1, 3\n15, 0, 0, 
 
 
 class References(DeckCase):
-    def told(self, text: str) -> str:
-        """What an import says that is not refused."""
-        code, said = self.imported(text)
-        self.assertEqual(code, 0, said)
-        return said
-
     def test_springs_whose_elements_are_named_by_a_set(self) -> None:
         # A cube of stiffness 1000 on a spring of 500: it takes two thirds of a force.
         spring = "*ELEMENT,TYPE=SPRING1\n90, 100\n91, 100\n*ELSET,ELSET=S1\n90\n*SPRING,ELSET=S1\n3\n500.\n"

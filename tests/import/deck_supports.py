@@ -19,8 +19,7 @@ CARRIED = "it goes into the reaction"
 class Supports(DeckCase):
     def told(self, text: str) -> str:
         """What the import of a deck says, of which `check` accepts the scene."""
-        code, said = self.imported(text)
-        self.assertEqual(code, 0, said)
+        said = super().told(text)
         checked = subprocess.run([harmos, "check", str(work / "out" / "deck.xml")], capture_output=True, text=True, check=False)
         self.assertEqual(checked.returncode, 0, checked.stderr)
         return said

@@ -39,9 +39,9 @@ def limit_of(sizes: Sequence[float], values: Sequence[Floats], noise: Floats) ->
     With three levels whose sizes have one ratio, and whose differences shrink without changing sign at a credible
     order, it is that of Richardson. Its uncertainty is the distance to the finest level; with a fourth level what the last
     one has changed in it, at least LEAST_DOUBT of that distance and at most the larger of it and the last difference, and
-    that where the levels before have no limit. Otherwise it is the finest level. Its uncertainty is what the least credible order leaves of
-    the last difference where there are two levels only, or the differences grow; else the largest of the last two. The noise
-    comes on top.
+    that where the levels before have no limit. Otherwise it is the finest level. Its uncertainty is what the least credible
+    order leaves of the last difference where there are two levels only, or the differences grow or shrink slowly; else the
+    largest of the last two. The noise comes on top.
 
     Args:
         sizes: decreasing.

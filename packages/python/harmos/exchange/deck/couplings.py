@@ -23,8 +23,8 @@ LARGE_ROTATION = 0.1
 """Rotation from which an import warns [radians]: displacements linear in it are off by its half."""
 
 _HELD = ("X", "Y", "Z", "Rotation X", "Rotation Y", "Rotation Z")
-_WRITTEN = {"COUPLING": "COUPLING", "DISTRIBUTINGCOUPLING": "DISTRIBUTING COUPLING", "RIGIDBODY": "RIGID BODY"}
 _FORCES = ("Force X", "Force Y", "Force Z", "Moment X", "Moment Y", "Moment Z")
+_WRITTEN = {"COUPLING": "COUPLING", "DISTRIBUTINGCOUPLING": "DISTRIBUTING COUPLING", "RIGIDBODY": "RIGID BODY"}
 
 
 @dataclasses.dataclass
@@ -133,9 +133,7 @@ class Couplings:
             weights += [card.number(words[1], row) if len(words) > 1 and words[1] else 1.0] * len(ids)
         ids = numpy.concatenate(found) if found else numpy.zeros(0, dtype=numpy.int64)
         nodes = numpy.unique(self._solids.nodes(ids))
-        faces = outer_faces(self._solids.mesh)
-        inside = (numpy.isin(faces.corners, nodes) | (faces.corners < 0)).all(axis=1)
-        sides = numpy.unique(faces.chosen(inside).rows(), axis=0)
+        sides = numpy.unique(self._solids.faces_on(nodes), axis=0)
         if not len(sides):
             self._findings.leave_out(card.place, "*DISTRIBUTING COUPLING", "its nodes are those of no face of a solid: what acts on its "
                                      "reference node is left out")

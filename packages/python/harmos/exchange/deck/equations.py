@@ -12,7 +12,6 @@ from harmos.exchange.deck.curves import Points
 from harmos.exchange.deck.scopes import Scope
 from harmos.exchange.deck.solids import Solids
 from harmos.exchange.findings import Findings, Refusals, Refused
-from harmos.exchange.mesh import outer_faces
 
 SAME = 1e-4
 """Differences of coefficients, over the first, and of places, over the size of the mesh, that count as none: decks have six
@@ -63,7 +62,6 @@ class Equations:
             Refused: numbers or nodes are not there.
         """
         self._contents, self._solids, self._findings = contents, solids, findings
-        self._meaning_else: set[int] = set()
         self._all: list[Equation] = []
         self._turned = {int(node) for card in contents.model if card.keyword == "TRANSFORM"
                         for ids in contents.node_sets.get(card.get("NSET"), []) for node in self._solids.nodes(ids)}
@@ -119,12 +117,12 @@ class Equations:
         bolts = {self._contents.single_node(card, "NODE") for card in self._contents.model
                  if card.keyword == "PRE-TENSIONSECTION" and card.get("NODE")}
         turns = {node for node, (_, first) in couplings.at_node.items() if first != 0}
-        self._meaning_else = {int(numpy.searchsorted(self._contents.node_ids, node)) for node in bolts | turns}
+        others = {int(numpy.searchsorted(self._contents.node_ids, node)) for node in bolts | turns}
         references = {int(numpy.searchsorted(self._contents.node_ids, node)): coupling
                       for node, (coupling, first) in couplings.at_node.items() if first == 0}
         for node, coupling in references.items():
             held.update({(node, component): points for component, points in coupling.held.items() if component < 3})
-        left = self._hold(held)
+        left = self._hold(held, self._turned | others)
         for node, coupling in references.items():
             coupling.held.update({component: held[node, component] for component in range(3) if (node, component) in held})
         ties, left = self._ties(left)
@@ -138,10 +136,10 @@ class Equations:
                                      "move as they like")
         return ties
 
-    def _hold(self, held: dict[Degree, Points]) -> list[Equation]:
-        """The equations that do not follow from what is held then."""
+    def _hold(self, held: dict[Degree, Points], others: set[int]) -> list[Equation]:
+        """The equations that do not follow from what is held then; `others`: nodes whose displacements mean something else."""
         waiting = [equation for equation in self._all
-                   if equation.is_equal_pair and not (self._turned | self._meaning_else) & {node for node, _, _ in equation.terms}]
+                   if equation.is_equal_pair and not others & {node for node, _, _ in equation.terms}]
         done: set[int] = set()
         is_changed = True
         while is_changed:
@@ -179,8 +177,8 @@ class Equations:
                 groups[one.pop(), other.pop()].append(node)
         ties, done = [], set()
         for (part, other_part), nodes in groups.items():
-            masters = {node for tied in nodes for node, _, _ in complete[tied][0].terms[1:]}
-            sides = self._faces(part, set(nodes)), self._faces(other_part, masters)
+            masters = [node for tied in nodes for node, _, _ in complete[tied][0].terms[1:]]
+            sides = (self._solids.faces_on(numpy.array(nodes), part), self._solids.faces_on(numpy.array(masters), other_part))
             if not len(sides[0]) or not len(sides[1]):
                 continue
             loose = set(nodes) - set(self._solids.nodes_of_sides(sides[0]).tolist())
@@ -201,12 +199,3 @@ class Equations:
         size = float(numpy.ptp(self._solids.mesh.nodes, axis=0).max())
         return bool(abs(weights.sum() - 1.0) <= SAME
                     and numpy.abs(weights @ places - self._solids.mesh.nodes[node]).max() <= SAME * size)
-
-    def _faces(self, part: str, nodes: set[int]) -> Array:
-        """The outer faces of a part whose corners are all among these nodes."""
-        mesh = self._solids.mesh
-        outer = outer_faces(mesh)
-        number = list(mesh.parts()).index(part)
-        of_part = numpy.asarray(mesh.part_of_block())[mesh.block_of(outer.element)] == number
-        inside = (numpy.isin(outer.corners, list(nodes)) | (outer.corners < 0)).all(axis=1)
-        return outer.chosen(of_part & inside).rows()

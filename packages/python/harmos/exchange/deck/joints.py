@@ -37,17 +37,20 @@ class Joints:
     """Writes the interfaces of a scene.
 
     Attributes:
-        joined: pairs of parts between which there is one.
         has_contact: one of them may open.
     """
 
     def __init__(self, contents: Contents, solids: Solids, scene: SceneList, findings: Findings) -> None:
         """Adds to this scene and to the sets of the mesh of the solids."""
         self._contents, self._solids, self._scene, self._findings = contents, solids, scene, findings
-        self.joined: set[frozenset[str]] = set()
         self._faces: dict[frozenset[str], list[Array]] = {}
         self.has_contact = False
         self._interactions = Interactions(contents.model, findings)
+
+    @property
+    def joined(self) -> set[frozenset[str]]:
+        """Pairs of parts between which there is an interface."""
+        return set(self._faces)
 
     def write(self, histories: Histories, preloads: dict[int, Preload], ties: list[Tie]) -> None:
         """All of them; `preloads`: by reference node; `ties`: of equations."""
@@ -282,20 +285,13 @@ class Joints:
             shared = numpy.intersect1d(nodes, theirs)
             if not len(shared):
                 continue
-            sides = self._unjoined((one, other), (self._faces_on(one, shared), self._faces_on(other, shared)))
+            sides = self._unjoined((one, other), (self._solids.faces_on(shared, one), self._solids.faces_on(shared, other)))
             if len(sides[0]) and len(sides[1]):
                 name = self._join((one, other), sides)
                 self._findings.found.append(f"{one} and {other} share nodes: interface {name}")
-            elif frozenset([one, other]) not in self.joined:
+            elif frozenset([one, other]) not in self._faces:
                 self._findings.leave_out(self._solids.sections[self._solids.section_of_part[other]].card.place, "*SOLID SECTION",
                                          f"{one} and {other} share {len(shared)} nodes, but no face: these move as they like")
-
-    def _faces_on(self, part: str, nodes: Array) -> Array:
-        """The outer faces of a part whose corners are all among these nodes."""
-        mesh = self._solids.mesh
-        outer = outer_faces(mesh)
-        of_part = numpy.asarray(mesh.part_of_block())[mesh.block_of(outer.element)] == list(mesh.parts()).index(part)
-        return outer.chosen(of_part & (numpy.isin(outer.corners, nodes) | (outer.corners < 0)).all(axis=1)).rows()
 
     def _unjoined(self, parts: tuple[str, str], sides: tuple[Array, Array]) -> tuple[Array, Array]:
         """The faces that no interface between two parts has yet."""
@@ -305,7 +301,6 @@ class Joints:
 
     def _note(self, parts: tuple[str, str], *sides: Array) -> None:
         """Takes note of an interface between two parts."""
-        self.joined.add(frozenset(parts))
         self._faces.setdefault(frozenset(parts), []).extend(sides)
 
     def _join(self, parts: tuple[str, str], sides: tuple[Array, Array]) -> str:

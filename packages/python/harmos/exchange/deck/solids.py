@@ -366,6 +366,14 @@ class Solids:
             found.append(block.connectivity[own][:, block.type.nodes_of_side(side)].reshape(-1))
         return numpy.unique(numpy.concatenate(found))
 
+    def faces_on(self, nodes: Array, part: str = "") -> Array:
+        """The outer faces, of all parts or of one, whose corners are all among these nodes, as a side set."""
+        outer = outer_faces(self.mesh)
+        inside = (numpy.isin(outer.corners, nodes) | (outer.corners < 0)).all(axis=1)
+        if part:
+            inside &= numpy.asarray(self.mesh.part_of_block())[self.mesh.block_of(outer.element)] == list(self.mesh.parts()).index(part)
+        return outer.chosen(inside).rows()
+
     def surface(self, surface: Surface) -> Array:
         """A surface as a side set; of nodes: the outer faces whose corners are all among them, of elements without
         labels: their outer faces."""
@@ -380,8 +388,7 @@ class Solids:
                 rows.append(outer.chosen(numpy.isin(outer.element, self.elements(ids))).rows())
         if surface.of_nodes and surface.rows:
             held = self.nodes(numpy.concatenate([ids for ids, _ in surface.rows]))
-            inside = numpy.isin(outer.corners, held) | (outer.corners < 0)
-            rows.append(outer.chosen(inside.all(axis=1)).rows())
+            rows.append(self.faces_on(held))
             loose = numpy.setdiff1d(held, self.nodes_of_sides(rows[-1]))
             if len(loose):
                 self._findings.leave_out(surface.card.place, "*SURFACE, TYPE=NODE", f"{len(loose)} of its nodes are on no face whose corners "
