@@ -32,6 +32,9 @@ constexpr int leastStages = 1;  // that must be affordable, with those that foll
 constexpr int maximumPasses = 3;
 constexpr double nextPass = 0.1;
 constexpr double allowedToHide = 0.5;
+// Residual over the accuracy of the forces up to which, unless laws soften, it is worth asking whether it is round-off;
+// a larger one is brought down with a march to a smaller tolerance.
+constexpr double mayBeNoise = 0.01;
 
 // Of Newton corrections.
 constexpr int leastVectors = 40;
@@ -68,11 +71,16 @@ bool isThrown(FixedPoint& fixedPoint, const Iterate*& iterate, const base::Matri
   return fixedPoint.metric().norm(alpha) > thrownSize * size;
 }
 
+/// Norm of the forces of the load step with the largest ones.
+double forcesOf(const Iterate& iterate) {
+  return std::sqrt(largest(iterate.metric().squaredNorms(iterate.hattedTraction())));
+}
+
 /// Error of the forces [-] that residuals which count as round-off of a state with this gap, much larger than its
 /// forces where bodies have moved far, may still stand for.
 double leftToRoundOff(const FixedPoint& fixedPoint, const base::Matrix& alpha, const Iterate& iterate, double gap) {
   const double whole = std::sqrt(largest(fixedPoint.metric().squaredNorms(alpha)));
-  const double forces = std::sqrt(largest(fixedPoint.metric().squaredNorms(iterate.hattedTraction())));
+  const double forces = forcesOf(iterate);
   const double unseen = forces > 0.0 ? std::min(gap, fixedPoint.roundOff(whole) / forces) : gap;
   return errorOfRoundOff * unseen;
 }
@@ -169,6 +177,12 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, bas
   // Every load step must be moved, or what is wrong with one would go unseen beside larger residuals of others.
   std::vector<double> targets = distances(image, state);
   const double before = largest(targets);
+  if (before <= noise_) {  // what an attempt has found once is all that there is
+    result.reduction = 0.0;
+    result.isReduced = result.isRoundOff = true;
+    result.iterate = &iterate;
+    return result;
+  }
   const double share = count == 0 ? firstTarget : laterTarget;
   double target = share * before;
   for (double& own : targets) own = share * std::max(own, leastResidual * before);
@@ -197,9 +211,11 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, bas
       result.iterate = &fixedPoint_.apply(state, image);
       break;
     }
-    if (isSoft && !knowsNoise && left > causalLimit * target) {
+    const bool isMissed = left > std::max(causalLimit * target, noise);
+    if (!knowsNoise && isMissed && (isSoft || left <= mayBeNoise * accuracy_ * forcesOf(*present))) {
       noise = std::max(noise, noiseOfLargest(fixedPoint_, state));
       knowsNoise = true;
+      if (!isSoft) noise_ = noise;
       present = &fixedPoint_.apply(state, image);
       result.iterate = present;
     }
@@ -207,6 +223,7 @@ Certificate::Correction Certificate::correctStepwise(const Iterate& iterate, bas
     result.reduction = left <= noise ? 0.0 : left / before;
     const double seen = step.smallestSingularValue * largest(distances(state, start));
     result.hidden = left <= noise ? 0.0 : left / seen;
+    result.isRoundOff = knowsNoise && left <= noise;
     if (result.hidden <= allowedToHide) break;
     kept.assign(state);
   }
@@ -262,6 +279,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
   const bool isNewton = kind == Kind::newton;
   const Iterate* iterate = &first;
   auto before = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
+  noise_ = 0.0;
   ErrorEstimate estimate(accuracy_, isNewton ? ErrorEstimate::Delivered::a1 : ErrorEstimate::Delivered::a2);
   for (int count = 0; count < maximumCorrections; ++count) {
     const double gapBefore = isNewton ? fieldGap(*iterate) : 0.0;
@@ -277,6 +295,7 @@ Certificate::Result Certificate::attemptOnce(Kind kind, const Iterate& first, ba
       return result;
     }
     step.shares.resize(static_cast<std::size_t>(state.numCols()), step.reduction);
+    result.isRoundOff = step.isRoundOff;
     iterate = step.iterate != nullptr ? step.iterate : &fixedPoint_.apply(state, image);
     auto after = std::make_unique<Snapshot>(lookAtShared(*iterate, state, image));
     estimate.add(*before, *after, step.reduction, step.shares, step.hidden);

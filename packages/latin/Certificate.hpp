@@ -43,6 +43,7 @@ class Certificate {
     std::vector<double> estimates;     ///< as Snapshot::distance: responses, force field, displacement field
     double contraction = 1.0;          ///< kappa [-]
     bool stagnated = false;            ///< a causal correction did not reduce the residual as much as it must
+    bool isRoundOff = false;           ///< what the last correction has left counts as none, as measured round-off
     const Iterate* iterate = nullptr;  ///< where claimed, of the state that is left, if its image is at hand
   };
 
@@ -67,6 +68,7 @@ class Certificate {
     std::vector<double> shares;        // that load steps keep of it, as CausalCorrection::Result
     bool isReduced = false;            // the residual, as much as an estimate needs
     double hidden = 0.0;               // as NewtonCorrection::Result::hidden
+    bool isRoundOff = false;           // what is left is within the round-off that was measured
     const Iterate* iterate = nullptr;  // of the corrected state, where its image is known
   };
   Result attemptOnce(Kind kind, const Iterate& iterate, base::Matrix& state, base::Matrix& image, int stageLimit);
@@ -92,6 +94,7 @@ class Certificate {
   NewtonCorrection newton_;
   std::unique_ptr<CausalCorrection> causal_;  // displacement form
   bool hasStagnated_ = false;                 // a causal correction, before
+  double noise_ = 0.0;                        // of images, where this attempt has measured it and laws do not soften
 };
 
 /// The gap that a claim allows, over the accuracy.

@@ -102,8 +102,9 @@ bool LatinSolver::certify(const Iterate& iterate, LatinResult& result) {
   const int before = stages();
   const auto running = timers_.start("certificate");
   const RoundOff roundOff(fixedPoint_, responses_);
-  const bool mayMatter = roundOff.mayMatter(iterate, options_.accuracy);
+  const bool isLarge = roundOff.mayMatter(iterate, options_.accuracy);
   const Certificate::Result attempt = certificate_->attempt(iterate, alpha_, image_, stagesBefore_ + stageLimit());
+  const bool mayMatter = isLarge || attempt.isRoundOff;
   if (attempt.conclusive) estimates_ = attempt.estimates;
   // Where a claim fails although errors are known, or laws have no kinks, round-off may be why: once is enough.
   const bool isSuspected = attempt.conclusive || fixedPoint_.assembly().isAffine();
