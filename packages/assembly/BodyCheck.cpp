@@ -1,11 +1,11 @@
 #include <harmos/assembly/detail/BodyCheck.hpp>
-#include <harmos/assembly/detail/UsableNumbers.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 #include <harmos/base/Error.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/base/UsableNumbers.hpp>
 #include <harmos/substructure/CrsMatrix.hpp>
 
 namespace harmos::assembly {
@@ -49,10 +49,10 @@ void checkMatrix(const std::string& where, const substructure::Substructure& bod
   for (int row = 0; row < dofs; ++row) {
     for (std::size_t k = matrix.rowPointers[row]; k < matrix.rowPointers[row + 1]; ++k) {
       const double value = matrix.values[k];
-      if (!isUsable(value)) {
+      if (!base::isUsable(value)) {
         faults.add(where, "the stiffness matrix has " + base::toText(value) + " in the row of " +
                               dofText(row, body.dimension) + "; its entries are finite, and not beyond " +
-                              base::toText(largestNumber));
+                              base::toText(base::largestNumber));
         return;
       }
       const int column = matrix.columns[k];
@@ -86,11 +86,11 @@ void checkBody(const Assembly& assembly, int index, Faults& faults) {
   }
   if (body.nodes.empty()) faults.add(where, "it has no nodes");
   const auto bad = std::find_if(body.nodes.begin(), body.nodes.end(), [](const base::Vector3& x) {
-    return !isUsable(x[0]) || !isUsable(x[1]) || !isUsable(x[2]);
+    return !base::isUsable(x[0]) || !base::isUsable(x[1]) || !base::isUsable(x[2]);
   });
   if (bad != body.nodes.end()) {
     faults.add(where, "the coordinates of node " + std::to_string(bad - body.nodes.begin()) +
-                          " are not finite, or beyond " + base::toText(largestNumber));
+                          " are not finite, or beyond " + base::toText(base::largestNumber));
   }
   if (!body.congruence) return;
   const int representative = body.congruence->representative;

@@ -5,8 +5,8 @@
 #include <map>
 #include <utility>
 
-#include <harmos/assembly/detail/UsableNumbers.hpp>
 #include <harmos/base/Numerals.hpp>
+#include <harmos/base/UsableNumbers.hpp>
 
 namespace harmos::assembly {
 namespace {
@@ -117,19 +117,19 @@ class Check {
     const std::string pair = " of pair " + std::to_string(p);
     const int before = faults_.count();
     const base::Vector3& x = interface_.position[p];
-    if (!isUsable(x[0]) || !isUsable(x[1]) || !isUsable(x[2])) {
-      add("the position" + pair + " is not finite, or beyond " + base::toText(largestNumber));
+    if (!base::isUsable(x[0]) || !base::isUsable(x[1]) || !base::isUsable(x[2])) {
+      add("the position" + pair + " is not finite, or beyond " + base::toText(base::largestNumber));
     }
     if (!isFrame(interface_.frame[p])) {
       add("the frame" + pair + " is not made of three unit vectors n, t1, t2 at right angles with t2 = n x t1");
     }
     const double area = interface_.area[p];
-    if (!isUsable(area) || (!(area >= 1.0 / largestNumber) && !interface_.law->prescribesTraction())) {
+    if (!base::isUsable(area) || (!(area >= 1.0 / base::largestNumber) && !interface_.law->prescribesTraction())) {
       add("the area" + pair + " is " + base::toText(area) +
           "; areas are positive where the law prescribes no traction, and between " +
-          base::toText(1.0 / largestNumber) + " and " + base::toText(largestNumber));
+          base::toText(1.0 / base::largestNumber) + " and " + base::toText(base::largestNumber));
     }
-    if (!isUsable(interface_.gap[p])) add("the gap" + pair + " is " + base::toText(interface_.gap[p]));
+    if (!base::isUsable(interface_.gap[p])) add("the gap" + pair + " is " + base::toText(interface_.gap[p]));
     return faults_.count() == before;
   }
 
@@ -138,10 +138,10 @@ class Check {
     for (const mesh::MassEntry& entry : interface_.mass) {
       const int largest = interface_.pairs() - 1;
       if (entry.row < 0 || entry.row > largest || entry.column < 0 || entry.column > largest ||
-          !isUsable(entry.value) || (entry.row == entry.column && entry.value < 0.0)) {
+          !base::isUsable(entry.value) || (entry.row == entry.column && entry.value < 0.0)) {
         add("the mass has the entry " + base::toText(entry.value) + " at (" + std::to_string(entry.row) + ", " +
             std::to_string(entry.column) + "); pairs are counted from 0 to " + std::to_string(largest) +
-            ", entries are finite and not beyond " + base::toText(largestNumber) +
+            ", entries are finite and not beyond " + base::toText(base::largestNumber) +
             ", those of the diagonal not negative");
         return;
       }

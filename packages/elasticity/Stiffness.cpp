@@ -7,6 +7,8 @@
 #include <utility>
 
 #include <harmos/base/Error.hpp>
+#include <harmos/base/Numerals.hpp>
+#include <harmos/base/UsableNumbers.hpp>
 #include <harmos/elasticity/detail/Axis.hpp>
 #include <harmos/elasticity/detail/ElementLoop.hpp>
 #include <harmos/elasticity/detail/StrainOperator.hpp>
@@ -260,6 +262,17 @@ Teuchos::RCP<base::CrsMatrix> assemble(const mesh::Mesh& mesh, const mesh::Piece
   return substructure::makeCrsMatrix(std::move(matrix));
 }
 
+Teuchos::RCP<base::CrsMatrix> demandUsable(const Teuchos::RCP<base::CrsMatrix>& stiffness, const std::string& part) {
+  const substructure::CrsView entries = substructure::viewOf(*stiffness, part);
+  const double* const end = entries.values + entries.rowPointers[entries.rows];
+  const double* const found = std::find_if_not(entries.values, end, base::isUsable);
+  if (found == end) return stiffness;
+  throw base::Error("Part \"" + part + "\": its stiffness matrix has an entry " + base::toText(*found) +
+                        "; entries must be finite and not beyond " + base::toText(base::largestNumber) +
+                        ". Give the moduli of its material, or the coordinates of its nodes, in other units.",
+                    base::ExitCode::input);
+}
+
 }  // namespace
 
 Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const mesh::Piece& piece,
@@ -270,7 +283,7 @@ Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const me
   const ElasticityMatrix c = reduced(material.elasticity(), kinematics);
   const StrainOperator strain(kinematics);
   const auto assembled = [&](const auto& element) {
-    return assemble(mesh, piece, groups, formulation, kinematics, element);
+    return demandUsable(assemble(mesh, piece, groups, formulation, kinematics, element), piece.part);
   };
   if (kinematics == Kinematics::threeDimensional) return assembled(ElementStiffness<3, 3>(c, formulation, strain, 1.0));
   if (kinematics == Kinematics::axisymmetricWithTorsion)

@@ -19,9 +19,9 @@ namespace harmos::elasticity {
 /// Formulation::incompatibleModes adds displacements 1 - xi^2 along each axis xi of hex8 and quad4, as ElementIntegrals
 /// says; other elements of the part are as they are. Throws base::Error naming part, block and element: elements turned
 /// inside out, folded or without volume, elements of another dimension than the kinematics, elements and nodes that are
-/// not the mesh's and the part's, parts without an element that has incompatible modes, and elements that B-bar cannot
-/// keep from locking (tri3, tet4) or need not (quadratic ones, plane stress). Not collective: the rank that owns the
-/// part assembles it. Nothing of the arguments is kept.
+/// not the mesh's and the part's, parts without an element that has incompatible modes, elements that B-bar cannot keep
+/// from locking (tri3, tet4) or need not (quadratic ones, plane stress), and entries beyond base::largestNumber. Not
+/// collective: the rank that owns the part assembles it. Nothing of the arguments is kept.
 Teuchos::RCP<base::CrsMatrix> assembleStiffness(const mesh::Mesh& mesh, const mesh::Piece& piece,
                                                 const Material& material, Formulation formulation,
                                                 Kinematics kinematics, double thickness = 1.0);

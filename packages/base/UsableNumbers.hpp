@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-namespace harmos::assembly {
+namespace harmos::base {
 
-/// Beyond it, and areas below one over it, squares and products of an assembly's numbers leave double precision.
+/// Beyond it, and areas below one over it, squares and products of a scene's numbers leave double precision.
 inline constexpr double largestNumber = 1e100;
 
 /// Finite, and not beyond it.
@@ -12,4 +12,4 @@ inline bool isUsable(double number) {
   return std::abs(number) <= largestNumber;
 }
 
-}  // namespace harmos::assembly
+}  // namespace harmos::base
