@@ -99,7 +99,7 @@ void printCost(std::ostream& out, const scene::CostEstimate& cost, double stateB
   printBytes(out, "whole process at its peak", cost.processBytes);
   out << "CPU time, roughly (this machine takes " << std::setprecision(1) << slowness
       << " times as long as the one of the rates):\n";
-  printSeconds(out, "start, reading, stiffness", slowness * cost.startSeconds);
+  printSeconds(out, "start, reading, stiffness", slowness * (cost.startSeconds + cost.cuttingSeconds));
   printSeconds(out, "factorisation", slowness * cost.factorSeconds);
   if (cost.staticsSeconds > 0.0) printSeconds(out, "statics of the loads", slowness * cost.staticsSeconds);
   printSeconds(out, "one linear stage", slowness * cost.stageSeconds);
@@ -118,13 +118,18 @@ void printExpansions(std::ostream& out, const study::ChaosChoice& choice, int ra
   printBytes(out, ranks == 1 ? "memory in all" : "memory of every rank", choice.cost.bytesOf(ranks));
 }
 
-void printStudy(std::ostream& out, const study::Study& study, const study::StudyCost& cost, double slowness) {
+/// `mostSeconds`: of as many configurations as an adaptive design may add.
+void printStudy(std::ostream& out, const study::Study& study, const study::StudyCost& cost, double mostSeconds,
+                double slowness) {
   std::ostringstream what;
   what << std::fixed << std::setprecision(0) << "study of " << cost.solves
        << (study.isChaos() ? " expansions, " : " configurations, ") << cost.stages << " stages";
   printSeconds(out, what.str(), slowness * cost.seconds);
   if (cost.sideBySide > 1) out << "  Side by Side: up to " << cost.sideBySide << " configurations march so\n";
-  if (study.isAdaptive()) out << "    with which it begins; those that are added are not counted\n";
+  if (!study.isAdaptive()) return;
+  out << "    with which it begins; how many it adds, its results tell\n";
+  printSeconds(out, "at most, " + std::to_string(study::mostConfigurations(study)) + " configurations",
+               slowness * mostSeconds);
 }
 
 /// Why traces of a study are inverted or not.
@@ -160,9 +165,11 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
   const bool writesFields = scene.output.fields && study == nullptr;
   cost.processBytes += writesFields ? cost.fileBytes : 0.0;
   if (!writesFields) cost.fileSeconds = 0.0;
+  if (study) cost.cuttingSeconds = 0.0;  // parts stay as they are given
   if (!study) cost.addDerivatives(static_cast<int>(scene.output.derivatives.size()));
   study::StudyCost ofStudy;
-  if (study && !study->isChaos()) ofStudy = study::estimateStudy(*study, cost, nullptr);
+  if (study && !study->isChaos())
+    ofStudy = study::estimateStudy(*study, cost, static_cast<int>(study->configurations.size()));
   cost.processBytes += ofStudy.bytes;
   const bool isShown = environment.isRoot() && !arguments.has("--quiet");
   const double slowness = isShown ? base::machineSlowness() : 1.0;
@@ -176,12 +183,13 @@ int checkScene(const scene::Scene& scene, const study::Study* study, const Argum
     const study::ChaosChoice choice = study::chooseLocalStage(*study, problem, *environment.communicator);
     if (isShown) {
       printExpansions(environment.out, choice, environment.communicator->getSize());
-      printStudy(environment.out, *study, study::estimateStudy(*study, cost, &choice.cost), slowness);
+      printStudy(environment.out, *study, study::estimateStudy(*study, cost, choice.cost), 0.0, slowness);
     }
     study::demandMemory(*study, choice, *environment.communicator);
   }
   if (study && !study->isChaos() && isShown) {
-    printStudy(environment.out, *study, ofStudy, slowness);
+    const int most = study::mostConfigurations(*study);
+    printStudy(environment.out, *study, ofStudy, study::estimateStudy(*study, cost, most).seconds, slowness);
     printTraces(environment.out, cost, options.stages.solver);
   }
   if (!environment.isRoot()) return 0;

@@ -10,6 +10,21 @@ inline constexpr double uncertaintyOfCost = 1.5;
 /// Direct solvers number the entries of a factor by 32-bit integers.
 inline constexpr double mostEntriesOfFactor = 2147483647.0;
 
+/// Seconds of solves with some right-hand sides at once, which read a factor together: a single one reads it faster
+/// than several can be worked on.
+struct SolveSeconds {
+  double alone = 0.0, first = 0.0, further = 0.0;
+
+  /// Of so many columns, of which solvers are given 64 at once.
+  double seconds(double columns) const;
+  SolveSeconds operator+(const SolveSeconds& other) const {
+    return {alone + other.alone, first + other.first, further + other.further};
+  }
+  friend SolveSeconds operator*(double factor, const SolveSeconds& one) {
+    return {factor * one.alone, factor * one.first, factor * one.further};
+  }
+};
+
 /// What solving a problem will take, on all ranks together, from its sizes and measured rates; seconds are of CPU.
 struct CostEstimate {
   std::int64_t unknowns = 0;           // displacements of all bodies
@@ -28,8 +43,12 @@ struct CostEstimate {
   double startSeconds = 0.0;           // the program's start, reading, stiffness matrices
   double factorSeconds = 0.0;          // all factors
   double staticsSeconds = 0.0;         // whether loads can be balanced, and what is held
-  double stageSeconds = 0.0;           // one linear stage with what belongs to it: all load steps
+  double cuttingSeconds = 0.0;         // the order of large parts, by which they are cut or left as they are
+  double stageSeconds = 0.0;           // one linear stage of a march with what belongs to it: all load steps
   double readSeconds = 0.0;            // of that, reading factors, in single precision wherever that is allowed
+  double columnSeconds = 0.0;          // what goes with that and is no solve, of one load step
+  SolveSeconds exactSolves;            // of a linear stage in double precision
+  SolveSeconds wholeSolves;            // of whole parts
   double stages = 0.0;                 // linear stages of a run, as scenes with such laws and joints mostly take
   double otherStages = 0.0;            // of these, those that look for other solutions
   double certificateStages = 0.0;      // of these, those of a certificate
@@ -58,11 +77,13 @@ struct CostEstimate {
 
   /// A whole run [s].
   double seconds() const {
-    return startSeconds + factorSeconds + solveSeconds() + wholeSeconds + evaluations * evaluationSeconds() +
+    return startSeconds + cuttingSeconds + factorSeconds + solveSeconds() + wholeSeconds + askingSeconds() +
            resultSeconds() + derivativeSeconds;
   }
   /// What all numbers that a state is judged by take, once [s].
   double evaluationSeconds() const { return boundarySeconds + responseSeconds; }
+  /// All times that a run asks for them [s], with the displacements that they need of whole parts.
+  double askingSeconds() const { return evaluations * (evaluationSeconds() + lookSeconds); }
   /// What follows the solution [s], but derivatives.
   double resultSeconds() const { return meshErrorSeconds + fileSeconds; }
   /// Counts derivatives of the responses by so many parameters, once.

@@ -36,7 +36,7 @@ constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, re
 // per unknown. Of a linear stage and load step: per entry that a column reads, per component of an interface side for
 // all that is not a solve, per body and per interface side for the calls, however small these are, and per entry of
 // what the macro problem multiplies one column with. Of least squares, per component of an interface side, load step
-// and pair of directions of the certificate, or of differences of a march. Of the error of the mesh, per unknown; of
+// and pair of directions of the certificate, or of differences of a march. Of
 // how tractions may be shared, per group of nodes and load step; of files, per unknown, and per unknown and load step.
 // Of what tractions can share around rings of interfaces, per ring; of loads, per loaded unknown and load step; of a
 // product with a stiffness, per entry and column. Of responses, per load step: for each node and for each pair that
@@ -46,13 +46,28 @@ constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2.5e-8, factoredUnknownSeconds = 5.5e-6,
                  readEntrySeconds = 2.2e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
                  reactionSeconds = 7e-10, correctionSeconds = 5e-9, differenceSeconds = 4e-9,
-                 recoverySecondsInSpace = 9e-6, recoverySecondsInPlane = 3e-6, sharedNodeSeconds[] = {1e-4, 5e-4},
-                 fileSeconds = 1e-6, stepFileSeconds = 1.8e-7, ringSeconds = 5e-4, loadSeconds = 4e-8,
-                 productSeconds = 1e-9, nodeSeconds = 6e-8, pairSeconds = 2.2e-8, recoveredSeconds = 3e-7,
-                 recoverySeconds = 5.5e-6;
-// A solve of all load steps together takes less of a column than one of the usual number of them, down to the share of
-// one among many. Of the error of the mesh in a linear response, per unknown: seconds and bytes.
-constexpr double errorSeconds = 1.5e-7, errorBytes = 35.0;
+                 sharedNodeSeconds[] = {1e-4, 5e-4}, fileSeconds = 1e-6, stepFileSeconds = 1.8e-7, ringSeconds = 5e-4,
+                 loadSeconds = 4e-8, productSeconds = 1e-9, nodeSeconds = 6e-8, pairSeconds = 2.2e-8,
+                 recoveredSeconds = 3e-7, recoverySeconds = 5.5e-6;
+// Of solves, per entry of a factor, through which they go twice: of whole bodies, where each of their unknowns takes a
+// time of its own besides; the same in single precision, also of a trace; of dense traces, per entry of their square.
+constexpr SolveSeconds ofWhole{7.5e-10, 1.4e-9, 1.05e-10}, ofSingle{2.9e-10, 1e-9, 5.5e-11},
+    ofDense{3.8e-10, 9e-10, 5.5e-11};
+constexpr SolveSeconds ofUnknown{8e-8, 8e-8, 0.0};
+// The same of inverted traces, per entry of a triangle.
+constexpr SolveSeconds ofInverse{2.2e-10, 0.0, 2.2e-10};
+// Of the error of the mesh in a linear response, per unknown: seconds and bytes; linear stages of its adjoint field, at
+// one load step in double precision.
+constexpr double errorSeconds = 1.5e-7, errorBytes = 35.0, stagesOfAdjoint = 6.0;
+// Digits of a march to which solves in single precision are exact enough.
+constexpr double digitsOfSingle = 4.0;
+// Of the iterations of a march at a load step: what share looks at reactions, every eighth for the size of forces and
+// every ninth for their balance.
+constexpr double looksOfMarch = 1.0 / 8.0 + 1.0 / 9.0;
+// Of the recovery of stress for the error of the mesh, per node: around those of quadratic tetrahedra too few elements
+// are found, and their neighbours are taken besides.
+constexpr double recoveryInPlane = 4.5e-6, recoveryOfLinear = 1.15e-5, recoveryOfQuadratic = 1.8e-5,
+                 recoveryOfTet10 = 6e-5;
 // Bytes of a node and load step while stress is recovered: samples in its elements, and what is made of them; of an
 // element and load step of those that are written together.
 constexpr double recoveredBytes = 300.0, writtenBytes = 60.0;
@@ -82,7 +97,7 @@ constexpr double affineMarch = 4.0, affineCertificate = 0.5, affineGrowth = -0.5
 // Where bodies press on each other, for every joint of JointGraph::height, and for its square in the plane and in
 // space: what slides at one joint passes forces on to the next, and every joint has directions of its own that the
 // certificate must know.
-constexpr double marchOfJoint = 5.0, certificateOfJoints[] = {2.0, 3.0}, leastStages = 6.0;
+constexpr double marchOfJoint = 5.0, certificateOfJoints[] = {2.0, 3.0}, leastStages = 9.0;
 // Of the stages: for every doubling of the pieces of a part.
 constexpr double growthWithPieces = 0.18;
 // Other solutions are looked for along two ways, to a residual two decades below; of the stages of the march, in the
@@ -159,6 +174,16 @@ std::vector<int> unknownsAt(const std::vector<assembly::Interface>& interfaces, 
 
 }  // namespace
 
+double SolveSeconds::seconds(double columns) const {
+  return std::min(columns * alone, std::ceil(columns / latin::stepsAtOnce) * first + columns * further);
+}
+
+double recoverySecondsOf(mesh::ElementType type) {
+  if (mesh::dimensionOf(type) == 2) return recoveryInPlane;
+  if (!mesh::isQuadratic(type)) return recoveryOfLinear;
+  return mesh::linearType(type) == mesh::ElementType::tet4 ? recoveryOfTet10 : recoveryOfQuadratic;
+}
+
 substructure::FactorSize factorOf(double unknowns, int dimension) {
   substructure::FactorSize size;
   size.nonzeros = dimension == 3 ? entriesInSpace * std::pow(unknowns, growthInSpace)
@@ -218,12 +243,14 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 }
 
 void CostEstimate::addDerivatives(int parameters) {
+  if (parameters == 0) return;
   const double rows = static_cast<double>(interfaceUnknowns);
   const double ofStep = directionsOfStep * std::pow(parameters, growthWithParameters), directions = ofStep * steps;
   const double kept = ofStep + std::min(directions - ofStep, mostOfEarlierSteps);
   derivativeBytes = entryBytes * rows * (statesOfDirection * kept + statesOfDerivative * parameters * steps);
   processBytes += derivativeBytes;
-  derivativeSeconds = directions * (stagesOfDirection * stageSeconds / steps + 0.5 * directionSeconds * rows * kept);
+  derivativeSeconds = directions * (stagesOfDirection * (exactSolves.seconds(parameters) / parameters + columnSeconds) +
+                                    0.5 * directionSeconds * rows * kept);
 }
 
 double CostEstimate::accelerationSeconds(double iterations, double memory) const {
@@ -241,7 +268,7 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
   if (body.isLoaded) {
     // Displacements that loads make by themselves are kept where columns are solved on the trace alone.
     sum_[loadFields] += (isDense ? 2.0 : 1.0) * body.unknowns;
-    sum_[loadReads] += 2.0 * entries;
+    addSolve(loadSolve, body, entries);
     sum_[loadedUnknowns] += body.unknowns;
   }
   if (body.isMoved) {
@@ -282,16 +309,40 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     }
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * body.interfaces * entries;
   }
-  if (isDense) sum_[denseReads] += 2.0 * entries;
-  if (isDense && (body.isLoaded || (body.held > 0.0 && !hasStencil))) sum_[lookReads] += 2.0 * entries;
-  // Each entry of a sparse factor is read twice, the triangle of a trace too; that of its inverse once.
-  sum_[readEntries] += !isDense ? 2.0 * entries : isInverted ? square / 2.0 : square;
+  const bool isHeld = body.held > 0.0 && !hasStencil;
+  if (isDense) {
+    if (isInverted) {
+      sum_[inverseReads] += square / 2.0;
+    } else {
+      addSolve(traceSolve, body, square);
+    }
+  }
+  addSolve(wholeSolve, body, entries);
+  addSolve(isDense ? denseSolve : sparseSolve, body, entries);
+  if (isDense && (body.isLoaded || isHeld)) addSolve(lookSolve, body, entries);
+  if (isHeld) addSolve(isDense ? heldSolve : heldSparseSolve, body, entries);
+}
+
+void CostSums::addSolve(Solve solve, const BodySize& body, double entries) {
+  solve_[solve].entries += entries;
+  if (body.isFactored) solve_[solve].read += entries;
+  solve_[solve].unknowns += body.unknowns;
+}
+
+SolveSeconds CostSums::secondsOf(const SolveSeconds& rate, Solve solve) const {
+  const SolveSize& size = solve_[solve];
+  return {size.entries * rate.alone, size.read * rate.first, size.entries * rate.further};
 }
 
 void CostSums::reduce(const Teuchos::Comm<int>& comm) {
   std::array<double, sums> all{};
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(sums), sum_.data(), all.data());
   sum_ = all;
+  std::vector<double> mine, ofSolves(3 * solves, 0.0);
+  for (const SolveSize& size : solve_) mine.insert(mine.end(), {size.entries, size.read, size.unknowns});
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), ofSolves.data());
+  for (std::size_t s = 0; s < solve_.size(); ++s)
+    solve_[s] = {ofSolves[3 * s], ofSolves[3 * s + 1], ofSolves[3 * s + 2]};
 }
 
 CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOptions& solver) const {
@@ -304,13 +355,16 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   const double motions = motionsOfInterface[scope.dimension - 2];
   const bool isDirect = sum_[looseEntries] == sum_[factorEntries] && sum_[macroIterated] == 0.0;
   const Stages stages = isDirect ? Stages() : stagesOf(scope, solver);
-  const bool mayBeSingle = solver.stages.solver.allowsSingle && solver.stages.solver.hasSupernodes() &&
-                           solver.algorithm == latin::Algorithm::accelerated &&
-                           solver.stages.formulation == latin::Formulation::displacement;
+  const bool isStepwise = solver.algorithm == latin::Algorithm::accelerated &&
+                          solver.stages.formulation == latin::Formulation::displacement;
+  const bool mayBeSingle = isStepwise && solver.stages.solver.allowsSingle && solver.stages.solver.hasSupernodes();
   const double iterated = sum_[factorEntries] - sum_[looseEntries];  // entries of factors that columns go through
   cost.matrixBytes = matrixEntryBytes * (sum_[matrixEntries] + sum_[iteratedMatrix]);
   const bool isPlain = !solver.stages.solver.hasSupernodes();
   const double slowness = isPlain ? plainSlowness : 1.0;
+  const auto ofParts = [&](Solve solve) {
+    return slowness * (secondsOf(ofWhole, solve) + solve_[solve].unknowns * ofUnknown);
+  };
   const substructure::FactorSize macro = factorOf(motions * scope.sides / 2.0 + 1.0, scope.dimension);
   cost.factorBytes = (isPlain ? plainEntryBytes : entryBytes) * sum_[factorEntries];
   cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
@@ -330,30 +384,41 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
       recoveredBytes * scope.work.together * together + bytesPerUnknown * scope.unknowns;
 
   cost.startSeconds = programSeconds * scope.ranks + assemblySeconds * sum_[assembledEntries];
+  // As when they are factored, but for the graph of their nodes.
+  cost.cuttingSeconds =
+      scope.ranks * scope.measured *
+      (factoredUnknownSeconds + factoredEntrySeconds * operatorEntries(scope.dimension, scope.dimension));
   const double rings = std::max(0.0, scope.sides / 2.0 - scope.bodies);
-  cost.factorSeconds =
-      slowness * (operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
-                  macroReadSeconds * motions * sum_[macroReads] + steps * readEntrySeconds * sum_[loadReads]) +
-      operationSeconds * macro.operations + ringSeconds * rings + steps * loadSeconds * sum_[loadedUnknowns] +
-      factoredEntrySeconds * sum_[factoredEntries] + factoredUnknownSeconds * sum_[factoredUnknowns] +
-      multigridSeconds * sum_[storedIterated] + iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
+  cost.factorSeconds = slowness * (operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
+                                   macroReadSeconds * motions * sum_[macroReads]) +
+                       ofParts(loadSolve).seconds(steps) + operationSeconds * macro.operations + ringSeconds * rings +
+                       steps * loadSeconds * sum_[loadedUnknowns] + factoredEntrySeconds * sum_[factoredEntries] +
+                       factoredUnknownSeconds * sum_[factoredUnknowns] + multigridSeconds * sum_[storedIterated] +
+                       iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
   cost.factorSeconds +=
       operationSeconds * sum_[inverseOperations] + latin::shareOfSolveAmongMany * readEntrySeconds * sum_[stencilReads];
-  cost.lookSeconds =
-      steps * slowness * readEntrySeconds * (scope.work.recovered > 0.0 ? sum_[denseReads] : sum_[lookReads]);
+  cost.wholeSolves = ofParts(wholeSolve);
+  cost.lookSeconds = ofParts(scope.work.recovered > 0.0 ? denseSolve : lookSolve).seconds(steps);
   cost.staticsSeconds =
       scope.statics.seconds(steps) + sharedNodeSeconds[scope.dimension - 2] * scope.joints.sharedNodes * steps;
-  cost.readSeconds = steps * slowness * readEntrySeconds * sum_[readEntries];
-  cost.stageSeconds = cost.readSeconds +
-                      steps * (2.0 * readEntrySeconds * macro.nonzeros + reactionSeconds * motions * sum_[reactions] +
-                               interfaceSeconds * scope.interfaceUnknowns + bodySeconds * scope.bodies +
-                               sideSeconds * scope.sides + iterationSeconds * iterationsOfColumn * sum_[readIterated]);
+  // A march goes on with one load step at a time, in single precision as long as its residuals allow it.
+  const SolveSeconds ofTraces = secondsOf(ofDense, traceSolve) + sum_[inverseReads] * ofInverse;
+  cost.exactSolves = ofParts(sparseSolve) + ofTraces;
+  const double single =
+      mayBeSingle && !scope.softens ? std::min(1.0, digitsOfSingle / std::log10(1.0 / solver.accuracy)) : 0.0;
+  const SolveSeconds ofMarch =
+      single * (secondsOf(ofSingle, sparseSolve) + ofTraces) + (1.0 - single) * cost.exactSolves;
+  cost.readSeconds = isStepwise ? steps * ofMarch.seconds(1.0) : ofMarch.seconds(steps);
+  cost.columnSeconds = 2.0 * readEntrySeconds * macro.nonzeros + reactionSeconds * motions * sum_[reactions] +
+                       interfaceSeconds * scope.interfaceUnknowns + bodySeconds * scope.bodies +
+                       sideSeconds * scope.sides + iterationSeconds * iterationsOfColumn * sum_[readIterated];
+  const SolveSeconds look = ofParts(heldSolve) + single * (secondsOf(ofSingle, heldSparseSolve) +
+                                                           solve_[heldSparseSolve].unknowns * ofUnknown);
+  cost.stageSeconds = cost.readSeconds + steps * (cost.columnSeconds + looksOfMarch * look.seconds(1.0));
   cost.stages = stages.all();
   cost.otherStages = stages.others;
   cost.certificateStages = stages.certificate;
-  const double ofColumn = latin::shareOfSolveAmongMany +
-                          (1.0 - latin::shareOfSolveAmongMany) * std::min(1.0, usualSteps / std::max(1.0, steps));
-  cost.togetherSeconds = cost.stageSeconds - (1.0 - ofColumn) * cost.readSeconds;
+  cost.togetherSeconds = ofMarch.seconds(steps) + steps * cost.columnSeconds;
   cost.directionsOfStep = stages.directions;
   // What loads do by themselves is solved for, twice where boundaries move a body, since the macro problem asks, too.
   cost.loadSeconds = steps * (slowness * latin::shareOfSolveAmongMany * readEntrySeconds *
@@ -364,13 +429,14 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.responseSeconds = steps * (nodeSeconds * scope.work.nodes + pairSeconds * scope.work.pairs +
                                   recoveredSeconds * scope.work.recovered) +
                          std::ceil(steps / latin::stepsAtOnce) * recoverySeconds * scope.work.recovered;
-  cost.wholeSeconds = 2.0 * steps * slowness * readEntrySeconds * sum_[factorEntries];
+  cost.wholeSeconds = cost.wholeSolves.seconds(steps);
   cost.correctionSeconds =
       steps * scope.interfaceUnknowns * correctionSeconds * stages.certificate * stages.certificate +
       cost.accelerationSeconds(stages.march, solver.memory) +
       ways * cost.accelerationSeconds(stages.others / ways, solver.memory);
-  cost.meshErrorSeconds = scope.unknowns * ((scope.dimension == 3 ? recoverySecondsInSpace : recoverySecondsInPlane) +
-                                            errorSeconds * scope.linearResponses);
+  const double adjoint =
+      stagesOfAdjoint * (cost.exactSolves.seconds(1.0) + cost.columnSeconds) + cost.wholeSolves.seconds(1.0);
+  cost.meshErrorSeconds = scope.recoverySeconds + scope.linearResponses * (errorSeconds * scope.unknowns + adjoint);
   cost.meshErrorBytes = errorBytes * scope.unknowns * scope.linearResponses;
   cost.fileBytes = writtenBytes * scope.elements * together;
   cost.fileSeconds = scope.unknowns * (fileSeconds + stepFileSeconds * steps);

@@ -15,9 +15,11 @@
 
 #include <harmos/base/Error.hpp>
 #include <harmos/laws/AffineComponent.hpp>
+#include <harmos/mesh/Elements.hpp>
 #include <harmos/scene/MemoryPerRank.hpp>
 #include <harmos/scene/MeshSource.hpp>
 #include <harmos/scene/detail/CostModel.hpp>
+#include <harmos/scene/detail/MeasuredPart.hpp>
 #include <harmos/scene/detail/SharedOperators.hpp>
 #include <harmos/substructure/FactorPrediction.hpp>
 
@@ -72,6 +74,15 @@ double mostPieces(const std::vector<mesh::Piece>& pieces) {
   return most;
 }
 
+/// Of parts, by pieces that may be cut further, whose order says whether they are.
+double nodesOfLargeParts(const std::vector<mesh::Piece>& pieces, int dimension) {
+  std::map<std::pair<std::string, int>, double> nodes;
+  for (const mesh::Piece& piece : pieces) nodes[{piece.part, piece.side}] += static_cast<double>(piece.nodes.size());
+  double large = 0.0;
+  for (const auto& [part, count] : nodes) large += count * dimension < leastUnknowns ? 0.0 : count;
+  return large;
+}
+
 }  // namespace
 
 CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& solver, FactorSizes sizes,
@@ -86,7 +97,15 @@ CostEstimate estimateCost(const Problem& problem, const latin::LatinOptions& sol
   scope.isAffine = assembly.isAffine();
   scope.pieces = mostPieces(problem.bodies.pieces);
   scope.bodies = static_cast<double>(assembly.bodies.size());
-  for (const mesh::Piece& piece : problem.bodies.pieces) scope.elements += static_cast<double>(piece.elements.size());
+  scope.softens = assembly.softens();
+  const mesh::Elements elements(problem.mesh);
+  for (const mesh::Piece& piece : problem.bodies.pieces) {
+    scope.elements += static_cast<double>(piece.elements.size());
+    if (!piece.elements.empty())
+      scope.recoverySeconds +=
+          static_cast<double>(piece.nodes.size()) * recoverySecondsOf(elements.type(piece.elements.front()));
+  }
+  scope.measured = nodesOfLargeParts(problem.bodies.pieces, assembly.dimension);
   std::vector<std::string> parts;
   for (const substructure::Substructure& body : assembly.bodies) parts.push_back(body.partName());
   scope.joints = jointGraphOf(assembly.interfaces, parts, assembly.dimension);

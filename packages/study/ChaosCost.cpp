@@ -17,6 +17,10 @@ namespace harmos::study {
 namespace {
 
 constexpr double entryBytes = 8.0;
+// How often all displacements of an expansion are asked for: by responses, and for the fields in the files.
+constexpr double wholesOfSolution = 2.0;
+// Iterations for every decade of the accuracy, where all laws are affine and where not.
+constexpr double iterationsOfAffine = 8.0, iterationsOfOthers = 33.0;
 // Galerkin's solution does not depend on the search direction: it is left only for a clear gain.
 constexpr double dearer = 2.0, secondsThatCount = 1.0;
 
@@ -55,8 +59,8 @@ ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const
   constexpr double otherFields = 14.0;
   // Fits of measured times: of a scene per entry of its input, of a law and of the projection at a point.
   constexpr double secondsPerEntry = 3e-6, secondsPerLaw = 20e-9, secondsPerProduct = 1.2e-9, secondsPerSpring = 2e-9;
-  // All polynomials are solved at once, which reads the factors less often; so are their least squares.
-  constexpr double blockShare = 0.7, shareOfLeastSquares = 0.3;
+  // Least squares of all polynomials are made together.
+  constexpr double shareOfLeastSquares = 0.3;
 
   const StochasticPlan& plan = *study.stochastic;
   const assembly::Assembly& assembly = problem.assembly;
@@ -64,6 +68,8 @@ ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const
   ChaosCost result;
   result.isGalerkin = isGalerkin;
   result.terms = termsOf(plan);
+  result.iterations = (assembly.isAffine() ? iterationsOfAffine : iterationsOfOthers) *
+                      std::max(1.0, std::log10(1.0 / study.scene.solver.accuracy));
   result.points = power(gaussPoints(*plan.variables, plan.order, plan.points, isGalerkin));
 
   double perPoint = 2.0 * (vectorBytes + entryBytes * dimension) + vectorBytes + 2.0 * entryBytes * result.terms;
@@ -93,11 +99,13 @@ ChaosCost estimateChaos(const Study& study, const scene::Problem& problem, const
       run + ofHoldOuts +
       entryBytes * steps * result.terms *
           (fields * static_cast<double>(cost.interfaceUnknowns) + 2.0 * static_cast<double>(cost.unknowns));
-  const double perPolynomial =
-      ChaosCost::usualIterations * blockShare * cost.stageSeconds + blockShare * cost.wholeSeconds +
-      shareOfLeastSquares * cost.accelerationSeconds(ChaosCost::usualIterations, study.scene.solver.memory);
-  result.solveSeconds = result.points * secondsPerEntry * sizeOf(study.sceneTree.root) +
-                        ChaosCost::usualIterations * perIteration + result.terms * perPolynomial;
+  // All polynomials are solved for at once.
+  const double columns = steps * result.terms;
+  perIteration += cost.exactSolves.seconds(columns) + columns * cost.columnSeconds;
+  result.solveSeconds =
+      result.points * secondsPerEntry * sizeOf(study.sceneTree.root) + result.iterations * perIteration +
+      wholesOfSolution * cost.wholeSolves.seconds(columns) +
+      result.terms * shareOfLeastSquares * cost.accelerationSeconds(result.iterations, study.scene.solver.memory);
   result.seconds = cost.factorSeconds + result.solveSeconds;
   return result;
 }

@@ -10,10 +10,8 @@ namespace harmos::study {
 
 /// What the expansions of a study will take with one local stage, from sizes alone.
 struct ChaosCost {
-  /// Iterations of a solve; of random glue to 1e-6: 55.
-  static constexpr double usualIterations = 55.0;
-
   bool isGalerkin = false;    ///< the local stage; else the pseudo-spectral one
+  double iterations = 0.0;    // of a solve
   double terms = 0.0;         // polynomials of the highest order that may be solved
   double points = 0.0;        // of the tensor grid, at which laws are realised
   double replicated = 0.0;    // bytes that every rank has: the program, and laws and polynomials at the points

@@ -46,7 +46,7 @@ struct StudyWork {
 };
 
 /// Distance of neighbours, as if configurations were a grid over the free parameters that vary, in their ranges.
-double distanceOf(const Study& study) {
+double distanceOf(const Study& study, double count) {
   int varying = 0;
   for (std::size_t p = 0; p < study.parameters.size(); ++p) {
     if (!study.parameters[p].formula.empty()) continue;
@@ -56,7 +56,7 @@ double distanceOf(const Study& study) {
     if (std::any_of(study.configurations.begin(), study.configurations.end(), isOther)) ++varying;
   }
   if (varying == 0) return 0.0;
-  const double along = std::pow(static_cast<double>(study.configurations.size()), 1.0 / varying);
+  const double along = std::pow(count, 1.0 / varying);
   return 1.0 / std::max(1.0, along - 1.0);
 }
 
@@ -90,14 +90,13 @@ StudyWork workOfCertificates(double count, const scene::CostEstimate& cost) {
 }
 
 /// Where a few calibrate, and the others march from their neighbours.
-StudyWork workOfMarches(const Study& study, const scene::CostEstimate& cost, const latin::LatinOptions& options,
-                        bool areTogether) {
+StudyWork workOfMarches(const Study& study, double count, const scene::CostEstimate& cost,
+                        const latin::LatinOptions& options, bool areTogether) {
   StudyWork work;
-  const auto count = static_cast<double>(study.configurations.size());
   const double calibrations = parametric::CalibratedSchedule::calibrationsUntil(static_cast<int>(count)),
                decades = std::max(0.0, std::log10(usualAccuracy / options.accuracy)),
                further = growthPerDecade * decades,
-               near = std::min(alone, amongOthers + further + growthWithDistance * distanceOf(study));
+               near = std::min(alone, amongOthers + further + growthWithDistance * distanceOf(study, count));
   const double run = cost.stages - cost.otherStages, march = (cost.isAffine ? affine + further : near) * run;
   // Marches that are not through after so many stages are given up for a certificate.
   constexpr double most = parametric::CalibratedSchedule::stagesFromNeighbours;
@@ -106,8 +105,9 @@ StudyWork workOfMarches(const Study& study, const scene::CostEstimate& cost, con
   work.stages = std::max(leastStages,
                          shareOfCalibrations * run + (1.0 - givenUp) * march + givenUp * (std::min(march, most) + run));
   work.stageSeconds = cost.stageSeconds;
-  // Marches from neighbours solve in double precision, which reads twice as much, where the accuracy asks for it.
-  if (!options.stages.solver.invertTrace) work.stageSeconds += cost.readSeconds;
+  // Marches from neighbours solve in double precision where the accuracy asks for it.
+  if (!options.stages.solver.invertTrace)
+    work.stageSeconds += cost.steps * cost.exactSolves.seconds(1.0) - cost.readSeconds;
   const double fromNeighbours = givenUp * (count - calibrations);
   work.certified = std::min(count, calibration / alone * calibrations + fromNeighbours);
   work.evaluations = evaluationsOfResult * count + (evaluationsOfCalibration - evaluationsOfResult) * calibrations +
@@ -128,37 +128,48 @@ latin::LatinOptions solverOptions(const Study& study) {
                                      static_cast<int>(study.scene.times.size()));
 }
 
-StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos) {
+int mostConfigurations(const Study& study) {
+  if (const auto* adaptive = study.design.as<AdaptiveOptions>()) return adaptive->refinement.maximumCount;
+  if (const auto* interpolation = study.design.as<InterpolationOptions>())
+    return interpolation->largestCount + interpolation->holdOuts.count;
+  return static_cast<int>(study.configurations.size());
+}
+
+StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost& chaos) {
+  StudyCost result;
+  result.solves = 1.0;
+  for (const StochasticPlan::Sweep& sweep : study.stochastic->sweeps)
+    result.solves *= static_cast<double>(sweep.coefficients.size());
+  result.stages = chaos.iterations;
+  result.seconds = cost.startSeconds + cost.factorSeconds + cost.resultSeconds() + result.solves * chaos.solveSeconds;
+  if (study.stochastic->holdOuts > 0) {
+    const double ofHoldOut = cost.solveSeconds() + cost.askingSeconds() + configurationSeconds;
+    result.seconds += cost.factorSeconds + study.stochastic->holdOuts * ofHoldOut;
+  }
+  return result;
+}
+
+StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, int configurations) {
   StudyCost result;
   double once = cost.startSeconds + cost.factorSeconds + cost.resultSeconds();
-  if (chaos != nullptr) {
-    result.solves = 1.0;
-    for (const StochasticPlan::Sweep& sweep : study.stochastic->sweeps)
-      result.solves *= static_cast<double>(sweep.coefficients.size());
-    result.stages = ChaosCost::usualIterations;
-    result.seconds = once + result.solves * chaos->solveSeconds;
-    if (study.stochastic->holdOuts > 0)
-      result.seconds += cost.factorSeconds + study.stochastic->holdOuts * (cost.solveSeconds() + configurationSeconds);
-    return result;
-  }
   const double groups =
       std::max(1.0, static_cast<double>(groupByOperators(study.parameters, study.configurations).size()));
-  result.solves = static_cast<double>(study.configurations.size());
+  result.solves = configurations;
   result.bytes = std::min(
       result.solves * parametric::SolvedStates::bytesOf(static_cast<double>(cost.interfaceUnknowns), cost.steps),
       parametric::StudySolver::memoryForStates);
   const latin::LatinOptions options = solverOptions(study);
-  const bool marches = !parametric::certifiesEach(options, study.configurations.size());
+  const bool marches = !parametric::certifiesEach(options, static_cast<std::size_t>(configurations));
   if (marches) {
-    result.sideBySide = parametric::CalibratedSchedule::sideBySide(static_cast<int>(result.solves), study.sideBySide);
+    result.sideBySide = parametric::CalibratedSchedule::sideBySide(configurations, study.sideBySide);
     result.bytes += (result.sideBySide - 1) * sizeof(double) * static_cast<double>(cost.interfaceUnknowns) *
                     (fieldsOfPlace * cost.steps + columnsOfPlace);
   }
   result.bytes += cost.responses * (curveBytes + result.solves * (recordBytes + numberBytes * cost.steps));
-  const StudyWork work =
-      marches ? workOfMarches(study, cost, options, result.sideBySide > 1) : workOfCertificates(result.solves, cost);
+  const StudyWork work = marches ? workOfMarches(study, result.solves, cost, options, result.sideBySide > 1)
+                                 : workOfCertificates(result.solves, cost);
   result.stages = work.stages;
-  once += std::max(0.0, static_cast<double>(MeshErrorSample::mostOf(study.configurations.size())) - 1.0) *
+  once += std::max(0.0, static_cast<double>(MeshErrorSample::mostOf(static_cast<std::size_t>(configurations))) - 1.0) *
           cost.meshErrorSeconds;
   result.seconds =
       once + (groups - 1.0) * cost.factorSeconds + work.certified * (cost.staticsSeconds + cost.correctionSeconds) +

@@ -20,10 +20,15 @@ struct StudyCost {
 /// The options that the configurations of a study which does not solve for expansions are solved with.
 latin::LatinOptions solverOptions(const Study& study);
 
-/// `cost`: of the scene with the accuracy of the study. Of configurations that are listed already: an adaptive design
-/// adds more. `chaos`: the expansions of a study that solves for them, else null. Stages are fitted to studies of the
-/// bolted joint of 12 to 1296 configurations at 1 to 0.01 %, of which a few calibrate the error estimate and the others
-/// start from neighbours; of other scenes they are a guess.
-StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost* chaos);
+/// How many configurations a study may come to: those that are listed, of an adaptive design its Maximum Count.
+int mostConfigurations(const Study& study);
+
+/// `cost`: of the scene with the accuracy of the study. Of so many configurations that are like those that are listed.
+/// Stages are fitted to studies of the bolted joint of 12 to 1296 configurations at 1 to 0.01 %, of which a few
+/// calibrate the error estimate and the others start from neighbours; of other scenes they are a guess.
+StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, int configurations);
+
+/// Of a study that solves for expansions.
+StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, const ChaosCost& chaos);
 
 }  // namespace harmos::study

@@ -8,6 +8,7 @@
 #include <harmos/assembly/Interface.hpp>
 #include <harmos/latin/LatinOptions.hpp>
 #include <harmos/latin/Response.hpp>
+#include <harmos/mesh/ElementType.hpp>
 #include <harmos/scene/CostEstimate.hpp>
 #include <harmos/scene/detail/JointGraph.hpp>
 #include <harmos/scene/detail/StaticsCost.hpp>
@@ -64,6 +65,7 @@ std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfa
 struct CostScope {
   int dimension = 3, ranks = 1, steps = 1;
   bool isAffine = false;                          ///< all laws are
+  bool softens = false;                           ///< some law does
   double unknowns = 0.0;                          ///< displacements of all bodies
   double interfaceUnknowns = 0.0;                 ///< components of all interface sides
   double pieces = 1.0;                            ///< into which the part is cut that is cut most
@@ -75,7 +77,12 @@ struct CostScope {
   double boundaryPairs = 0.0;                     ///< at boundaries that are eliminated
   double responses = 0.0, linearResponses = 0.0;  ///< how many there are
   latin::ResponseWork work;                       ///< of all of them
+  double measured = 0.0;                          ///< nodes of parts that are large enough to be cut, on every rank
+  double recoverySeconds = 0.0;                   ///< of stress, for the error of the mesh
 };
+
+/// CPU time [s] of recovering the stress at one node of such elements.
+double recoverySecondsOf(mesh::ElementType type);
 
 /// Sums over some bodies of what their cost goes with.
 class CostSums {
@@ -88,6 +95,28 @@ class CostSums {
   CostEstimate estimate(const CostScope& scope, const latin::LatinOptions& solver) const;
 
  private:
+  /// Of whole bodies: all of them, those with sparse and with dense traces, those of which displacements or reactions
+  /// are looked at, those whose reactions are, with dense and with sparse traces, and loaded ones; of dense traces.
+  enum Solve {
+    wholeSolve,
+    sparseSolve,
+    denseSolve,
+    lookSolve,
+    heldSolve,
+    heldSparseSolve,
+    loadSolve,
+    traceSolve,
+    solves
+  };
+  struct SolveSize {
+    double entries = 0.0;   // of factors, which the columns of every body meet
+    double read = 0.0;      // of different factors among them, which those of equal bodies read together
+    double unknowns = 0.0;  // of the bodies
+  };
+
+  void addSolve(Solve solve, const BodySize& body, double entries);
+  SolveSeconds secondsOf(const SolveSeconds& rate, Solve solve) const;
+
   enum Sum {
     assembledEntries,
     matrixEntries,
@@ -98,17 +127,14 @@ class CostSums {
     operations,
     macroReads,
     reactions,
-    readEntries,
+    inverseReads,
     invertedEntries,
     iteratedMatrix,
     storedIterated,
     readIterated,
     macroIterated,
     loadFields,
-    loadReads,
     loadedUnknowns,
-    lookReads,
-    denseReads,
     loadedReads,
     movedReads,
     movedEntries,
@@ -122,6 +148,7 @@ class CostSums {
     sums
   };
   std::array<double, sums> sum_{};
+  std::array<SolveSize, solves> solve_{};
 };
 
 }  // namespace harmos::scene

@@ -43,6 +43,20 @@ TEST(CostEstimate, OfARunIsTheSumOfItsPhases) {
   cost.responseSeconds = 0.5;
   cost.boundarySeconds = 0.5;
   EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.25 + 2.0 + 10.0 + 4.0 + 8.0 + 5.0 + 1.0);
+  // Whether large parts are cut is asked once, and each of five times the displacements of whole parts are needed.
+  cost.cuttingSeconds = 0.5;
+  cost.lookSeconds = 1.0;
+  EXPECT_DOUBLE_EQ(cost.seconds(), 0.125 + 0.5 + 0.25 + 2.0 + 10.0 + 4.0 + 8.0 + 10.0 + 1.0);
+}
+
+// A single column reads a factor faster than several can be worked on, which read it together, 64 of them at once.
+TEST(CostEstimate, SolvesForManyColumnsReadAFactorOnce) {
+  const SolveSeconds one{1.0, 2.0, 0.125}, both = one + 2.0 * one;
+  EXPECT_DOUBLE_EQ(one.seconds(1.0), 1.0);
+  EXPECT_DOUBLE_EQ(one.seconds(8.0), 3.0);
+  EXPECT_DOUBLE_EQ(one.seconds(64.0), 10.0);
+  EXPECT_DOUBLE_EQ(one.seconds(65.0), 4.0 + 65.0 / 8.0);
+  EXPECT_DOUBLE_EQ(both.seconds(8.0), 9.0);
 }
 
 // Every response is counted; those of stress recover it in all parts, and the space for that is taken once.
@@ -105,7 +119,7 @@ TEST(CostEstimate, CountsDerivatives) {
   CostEstimate cost;
   cost.interfaceUnknowns = 7956;
   cost.steps = 11;
-  cost.stageSeconds = 0.012;
+  cost.columnSeconds = 0.012 / cost.steps;
   cost.directionsOfStep = 72.0;
   CostEstimate byThree = cost;
   cost.addDerivatives(0);

@@ -26,7 +26,7 @@ StudyCost costOf(int configurations, const scene::CostEstimate& cost = sample(),
   study.sideBySide = sideBySide;
   study.scene.solver.accuracy = accuracy;
   for (int i = 0; i < configurations; ++i) study.configurations.push_back({i + 1, {}});
-  return estimateStudy(study, cost, nullptr);
+  return estimateStudy(study, cost, static_cast<int>(study.configurations.size()));
 }
 
 // Eight of 1000 configurations march side by side, two of 20; each beyond the first has 5 fields of all load steps and
@@ -59,7 +59,7 @@ TEST(StudyCost, GrowsWithTheDistanceOfNeighbours) {
       for (int p = 0; p < parameters && vary; ++p) one.values[p] = i;
       study.configurations.push_back(one);
     }
-    return estimateStudy(study, sample(), nullptr).stages;
+    return estimateStudy(study, sample(), static_cast<int>(study.configurations.size())).stages;
   };
   EXPECT_GT(stages(3, true), stages(2, true));
   EXPECT_GT(stages(2, true), stages(1, true));
@@ -73,12 +73,30 @@ TEST(StudyCost, GrowsWithEveryConfiguration) {
   for (int count = 50; count < 200; ++count) EXPECT_GT(costOf(count + 1).seconds, costOf(count).seconds) << count;
 }
 
+// How many an adaptive design adds, its results tell; its limit is known before.
+TEST(StudyCost, KnowsHowManyConfigurationsAnAdaptiveDesignMayAdd) {
+  Study study;
+  study.configurations.assign(5, {});
+  EXPECT_EQ(mostConfigurations(study), 5);
+  AdaptiveOptions adaptive;
+  adaptive.refinement.maximumCount = 200;
+  study.design.options = adaptive;
+  EXPECT_EQ(mostConfigurations(study), 200);
+  InterpolationOptions interpolation;
+  interpolation.largestCount = 500;
+  interpolation.holdOuts.count = 7;
+  study.design.options = interpolation;
+  EXPECT_EQ(mostConfigurations(study), 507);
+  EXPECT_GT(estimateStudy(study, sample(), 507).seconds, estimateStudy(study, sample(), 5).seconds);
+}
+
 // Marches from neighbours read factors in double precision where the accuracy is fine.
 TEST(StudyCost, ReadsTwiceAsMuchInDoublePrecision) {
   constexpr double fine = 1e-6;
   const auto difference = [](int configurations, double accuracy) {
     scene::CostEstimate without = sample(), with = sample();
     with.readSeconds = 0.05;
+    with.exactSolves = {0.1 / with.steps, 0.1 / with.steps, 0.0};
     return costOf(configurations, with, accuracy).seconds - costOf(configurations, without, accuracy).seconds;
   };
   EXPECT_EQ(difference(9, fine), 0.0);
@@ -92,9 +110,9 @@ TEST(StudyCost, CountsLooksAtWholeParts) {
   for (int i = 0; i < 20; ++i) study.configurations.push_back({i + 1, {}});
   scene::CostEstimate looking = sample();
   study.scene.times.assign(static_cast<std::size_t>(looking.steps), 1.0);
-  const double without = estimateStudy(study, looking, nullptr).seconds;
+  const double without = estimateStudy(study, looking, static_cast<int>(study.configurations.size())).seconds;
   looking.lookSeconds = 1.0;
-  EXPECT_GE(estimateStudy(study, looking, nullptr).seconds, without + 20.0);
+  EXPECT_GE(estimateStudy(study, looking, static_cast<int>(study.configurations.size())).seconds, without + 20.0);
 }
 
 // Every configuration of a few is certified; of many those that calibrate.
@@ -139,9 +157,9 @@ TEST(StudyCost, CountsLoadsThatConfigurationsHave) {
     parameter.effects.emplace_back().kind = kind;
     for (int i = 0; i < configurations; ++i) study.configurations.push_back({i + 1, {1.0 * i}});
     scene::CostEstimate cost = sample();
-    const double before = estimateStudy(study, cost, nullptr).seconds;
+    const double before = estimateStudy(study, cost, static_cast<int>(study.configurations.size())).seconds;
     cost.loadSeconds = 1.0;
-    return estimateStudy(study, cost, nullptr).seconds - before;
+    return estimateStudy(study, cost, static_cast<int>(study.configurations.size())).seconds - before;
   };
   EXPECT_NEAR(difference(6, Effect::Kind::loads), 6.0, 1e-9);
   EXPECT_NEAR(difference(50, Effect::Kind::loads), 100.0, 1e-9);
@@ -157,9 +175,10 @@ TEST(StudyCost, MarchesWhereTheStudyDoes) {
       study.scene.solver.stages.formulation = formulation;
       for (int i = 0; i < count; ++i) study.configurations.push_back({i + 1, {}});
       scene::CostEstimate cost = sample();
-      const double before = estimateStudy(study, cost, nullptr).seconds;
+      const double before = estimateStudy(study, cost, static_cast<int>(study.configurations.size())).seconds;
       cost.responseSeconds = 1.0;
-      const double evaluations = estimateStudy(study, cost, nullptr).seconds - before;
+      const double evaluations =
+          estimateStudy(study, cost, static_cast<int>(study.configurations.size())).seconds - before;
       const bool each = parametric::certifiesEach(study.scene.solver, study.configurations.size());
       EXPECT_EQ(each, count < 10 || formulation == latin::Formulation::velocity);
       EXPECT_EQ(std::abs(evaluations - 5.0 * count) < 1e-9, each) << count;
