@@ -177,6 +177,40 @@ class LadderTest(unittest.TestCase):
                                     "the input has to have a finer one$")
         self.assertRegex(reason(3), "only, most of it because of time steps; the next run")
 
+    def test_load_steps_at_their_last_level_are_said_to_be_what_keeps_settings_off(self) -> None:
+        """The limit is known to less than the target, but no count of increments comes near it: a finer mesh was advised."""
+        def ladder(levels: int) -> Ladder:
+            outcomes = {(n, 0, 0, 0): answer(3.0) for n in range(3)}
+            outcomes |= {(0, 0, level, 0): answer(3 + 0.2 * (1 - 2.0 ** -level)) for level in range(1, levels)}
+            result = self.ladder(outcomes, 4)
+            result.unaffordable = (3, 0, 0, 0)
+            return result
+
+        def reason(levels: int) -> str:
+            of, folder = ladder(levels), pathlib.Path("x")
+            return keep(0.007, of, Judge(of), mock.MagicMock(), mock.MagicMock(), folder, folder).reason
+
+        self.assertRegex(reason(4), "^no settings that were measured come nearer than [0-9.]+ %, most of it because of time steps, "
+                                    "of which time steps 0.125 is the finest level: the input has to have a finer one$")
+        self.assertRegex(keep(0.02, ladder(3), Judge(ladder(3)), mock.MagicMock(), mock.MagicMock(), pathlib.Path("x"),
+                              pathlib.Path("x")).reason, "most of it because of time steps; the next run, .* time steps 0.125")
+        self.assertTrue(Judge(ladder(4)).is_out_of_reach(0.007))
+        self.assertFalse(Judge(ladder(4)).is_out_of_reach(0.02))
+        self.assertFalse(Judge(ladder(3)).is_out_of_reach(0.007))
+
+    def test_a_scene_without_equilibrium_ends_the_ladder_with_the_reason(self) -> None:
+        """On the mesh as given: all finer ones were asked until the budget had gone, and the reason was that it had."""
+        knobs = [knob("mesh", Role.MESH, [4.0, 2.0, 1.0, 0.5, 0.25], given=2), knob("accuracy", Role.SIDE, [1e-2, 1e-3], given=1)]
+        runner = mock.MagicMock()
+        runner.run.return_value = Outcome("no equilibrium", values={"u": numpy.array([1.0])}, sizes={"u": 1.0}, cpu=0.1, wall=0.1,
+                                          no_equilibrium="nothing resists part \"a\"")
+        ladder = Ladder(knobs, 3, runner, Budget(1e3, math.inf), lambda _: None)
+        ladder.explore(1e-3, lambda: False, lambda _: False)
+        self.assertEqual(list(ladder.rungs), [(0, 1), (2, 1)])
+        folder = pathlib.Path("x")
+        promise = keep(0.01, ladder, Judge(ladder), mock.MagicMock(), mock.MagicMock(), folder, folder)
+        self.assertEqual(promise.reason, "no equilibrium: nothing resists part \"a\"")
+
     def test_a_ladder_knows_what_it_has_no_time_for(self) -> None:
         """Neither more meshes nor more time are left out in silence."""
         knobs = [knob("mesh", Role.MESH, [1.0, 0.5, 0.25]), knob("accuracy", Role.SIDE, [1e-3])]

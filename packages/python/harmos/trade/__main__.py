@@ -110,7 +110,7 @@ def _trade(document: Document, runner: Runner, knobs: list[Knob], folder: pathli
                   flush=True)
 
     ladder = Ladder(knobs, dimension_of(document), runner, budget, report)
-    ladder.explore(targets[-1], lambda: _is_enough(targets[-1], ladder, Judge(ladder, responses)),
+    ladder.explore(targets[-1], lambda: _is_enough(targets, ladder, Judge(ladder, responses)),
                    lambda family: Judge(ladder, responses).is_beaten(family))
     judge = Judge(ladder, responses)
     promises = [keep(target, ladder, judge, runner, document, folder, work) for target in targets]
@@ -129,9 +129,10 @@ def _trade(document: Document, runner: Runner, knobs: list[Knob], folder: pathli
     return 0 if all(promise.rung is not None for promise in promises) else 3
 
 
-def _is_enough(target: float, ladder: Ladder, judge: Judge) -> bool:
-    """Whether no finer mesh is needed for the least target, and with that for any: neither for the reference nor for settings."""
-    return judge.doubt() <= ENOUGH * target and bool(candidates(target, ladder, judge))
+def _is_enough(targets: list[float], ladder: Ladder, judge: Judge) -> bool:
+    """Whether no finer mesh is needed for the least target that finer meshes can help, and with that for any: neither for the reference nor for settings."""
+    reachable = [target for target in targets if not judge.is_out_of_reach(target)]
+    return not reachable or (judge.doubt() <= ENOUGH * min(reachable) and bool(candidates(min(reachable), ladder, judge)))
 
 
 def _print(ladder: Ladder, judge: Judge, rungs: list[Rung], promises: list[Promise]) -> None:

@@ -172,6 +172,30 @@ class Judge:
             largest = max(largest, math.inf if math.isnan(total) else total)
         return largest if self.references else math.inf
 
+    def cause(self, settings: Settings) -> str:
+        """The knob that most of the error comes from that is expected() of settings."""
+        def total(name: str) -> float:
+            return sum(self.parts(settings, name).values()) + self.references[name].doubt()
+
+        name = max(self.references, key=total)
+        ladder, reference, parts = self._ladder, self.references[name], self.parts(settings, name)
+        largest = max((knob for knob in parts if ladder.knobs[ladder.index(knob)].role is not Role.CHOICE),
+                      key=lambda knob: parts[knob])
+        return largest if parts[largest] > reference.doubt() else reference.cause
+
+    def is_out_of_reach(self, target: float) -> bool:
+        """Whether a side knob leaves more than a target on all its levels, the finest one included, which no mesh mends."""
+        return any(self._left_by(knob) > target for knob in self._ladder.indices(Role.SIDE))
+
+    def _left_by(self, knob: int) -> float:
+        """What a side knob leaves at the best of its levels, the largest of all responses, relative; 0: finer ones are not measured."""
+        ladder = self._ladder
+        rungs = ladder.side(knob)
+        if not rungs or rungs[-1].settings[knob] != len(ladder.knobs[knob].levels) - 1:
+            return 0.0
+        return max((min(self.parts(rung.settings, name)[ladder.knobs[knob].name] for rung in rungs)
+                    for name in self.references), default=0.0)
+
     def _noise(self, rung: Rung, name: str) -> Floats:
         knob = self._ladder.index("accuracy")
         estimate = rung.outcome.estimates.get(name, math.nan)

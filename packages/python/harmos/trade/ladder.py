@@ -67,6 +67,7 @@ class Ladder:
         cheap: level of the mesh that side knobs are measured on.
         dimension: of the scene, 2 or 3.
         unaffordable: the next settings, for which the budget has no time; None: there are none.
+        no_equilibrium: why there is none, as the run of the mesh as given says it; empty: it does not.
         report: called after every run.
     """
 
@@ -79,6 +80,7 @@ class Ladder:
         self.refused: set[Settings] = set()
         self.fresh: dict[Settings, Rung] = {}
         self.unaffordable: Settings | None = None
+        self.no_equilibrium = ""
         self.report = report
         self._runner = runner
         self._mesh = self.index("mesh")
@@ -202,11 +204,17 @@ class Ladder:
         levels = self.knobs[knob].levels
         self.accuracy = next((i for i, level in enumerate(levels) if level.size <= 1.001 * least_target), len(levels) - 1)
         stopped = 0
+        given = self.knobs[self._mesh].given
         for mesh in range(len(self.knobs[self._mesh].levels)):
+            if self.no_equilibrium and mesh < given:
+                continue  # a coarse mesh has said so: the next one to ask is that as given
             self.cheap = mesh
             while not (outcome := self.measure(self.base(), "ladder").outcome).certified and self.accuracy > 0 and (
-                    outcome.values or outcome.stopped) and self._has_time():
+                    outcome.values or outcome.stopped) and not outcome.no_equilibrium and self._has_time():
                 self.accuracy -= 1
+            self.no_equilibrium = outcome.no_equilibrium
+            if self.no_equilibrium and mesh >= given:
+                return  # whatever the mesh and the accuracy
             stopped = stopped + 1 if outcome.stopped else 0
             if outcome.certified or stopped == STOPPED or not self._has_time():
                 break

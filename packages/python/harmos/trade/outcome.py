@@ -48,6 +48,15 @@ def read_floors(document: Document, base: pathlib.Path) -> dict[str, float]:
     return floors
 
 
+def read_reason(base: pathlib.Path) -> str:
+    """Why the run of a scene, whose files begin with `base`, has ended.
+
+    Raises:
+        OSError: the files are not there.
+    """
+    return str(json.loads(base.with_name(base.name + "_result.json").read_text())["reason"])
+
+
 def step_ends(document: Document) -> list[float]:
     """The times at which the load steps of a scene end."""
     durations = [float(document.value(f"Steps/{name}/Duration", "1")) for name in document.names("Steps")]

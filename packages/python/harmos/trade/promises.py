@@ -87,7 +87,7 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
         return promise
     found = candidates(target, ladder, judge)
     if not found:
-        promise.reason = f"no settings that were measured come so near{_following(ladder)}"
+        promise.reason = _too_far(ladder, judge)
     trials = 0
     for settings in found:
         if trials == TRIALS:
@@ -123,8 +123,18 @@ def keep(target: float, ladder: Ladder, judge: Judge, runner: Runner, document: 
     return promise
 
 
+def _too_far(ladder: Ladder, judge: Judge) -> str:
+    """Why no settings that were measured keep a target whose reference is known."""
+    error, settings = min((error, settings) for _, error, settings in expected_costs(ladder, judge))
+    if error == math.inf:
+        return f"no settings that were measured come so near{_following(ladder)}"
+    return f"no settings that were measured come nearer than {percent(error)}{_help(ladder, judge.cause(settings))}"
+
+
 def _doubtful(ladder: Ladder, judge: Judge) -> str:
     """Why the reference is not known well enough."""
+    if ladder.no_equilibrium:
+        return f"no equilibrium: {ladder.no_equilibrium}"
     if judge.doubt() < math.inf:
         name = max(judge.references, key=lambda one: judge.references[one].doubt())
         return f"the reference of {name} itself is known to {percent(judge.doubt())} only{_help(ladder, judge.references[name].cause)}"
@@ -148,13 +158,14 @@ def _help(ladder: Ladder, cause: str) -> str:
     finest = ladder.side(knob)[-1].settings[knob]
     levels = ladder.knobs[knob].levels
     if finest < len(levels) - 1:
-        return f", most of it because of {cause}{_following(ladder)}"
+        finer = ladder.turned(ladder.base(), knob, finest + 1)
+        return f", most of it because of {cause}{_following(ladder, None if finer in ladder.rungs else finer)}"
     return f", most of it because of {cause}, of which {levels[finest].name} is the finest level: the input has to have a finer one"
 
 
-def _following(ladder: Ladder) -> str:
-    """What comes next and the budget has no time for; empty: nothing."""
-    following = ladder.unaffordable
+def _following(ladder: Ladder, wanted: Settings | None = None) -> str:
+    """What comes next and the budget has no time for, or what is wanted instead of it; empty: nothing."""
+    following = ladder.unaffordable and (wanted or ladder.unaffordable)
     if following is None or not ladder.predicted(following, "wall"):
         return ""
     return f"; the next run, {ladder.words(following)}, {_needs(ladder, following)}"

@@ -15,7 +15,7 @@ from harmos.arrays import Floats
 from harmos.trade.budget import Allowance
 from harmos.trade.document import Document, Entry
 from harmos.trade.interruption import held_interruptions
-from harmos.trade.outcome import read_floors, read_outcome
+from harmos.trade.outcome import read_floors, read_outcome, read_reason
 from harmos.trade.responses import reported_response
 
 POLL = 0.02
@@ -46,6 +46,7 @@ class Outcome:
         memory: its largest resident set [byte].
         refused: whether Harmos does not take the input.
         stopped: whether it was ended before it had an answer.
+        no_equilibrium: why a scene has no equilibrium; empty: it is not said to have none.
     """
 
     status: str
@@ -60,6 +61,7 @@ class Outcome:
     memory: int = 0
     refused: bool = False
     stopped: bool = False
+    no_equilibrium: str = ""
 
 
 def check(program: str, path: pathlib.Path) -> tuple[bool, str]:
@@ -131,7 +133,8 @@ class Runner:
                 return Outcome(f"refused: {said}" if said else "refused", refused=True)
             return Outcome(f"failed, exit code {exit_code}")
         try:
-            return Outcome(*read_outcome(self._document, base))
+            lacks_equilibrium = exit_code == 4 and self._document.study is None  # of a study some configurations may
+            return Outcome(*read_outcome(self._document, base), no_equilibrium=read_reason(base) if lacks_equilibrium else "")
         except (OSError, ValueError, KeyError) as error:
             return Outcome(f"no answer: {error}")
 
