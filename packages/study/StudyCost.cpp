@@ -42,6 +42,7 @@ constexpr double curveBytes = 1.4e5, recordBytes = 300.0, numberBytes = 48.0;
 struct StudyWork {
   double stages = 0.0, stageSeconds = 0.0;             // linear ones of a configuration, and one of them
   double certified = 0.0;                              // configurations with a certificate of their own
+  double corrections = 0.0;                            // least squares of these, over those of a run
   double evaluations = 0.0, looks = 0.0, loads = 0.0;  // of responses, whole displacements and loads, in all
 };
 
@@ -80,9 +81,10 @@ bool changeLoads(const Study& study) {
 /// Where each configuration is certified.
 StudyWork workOfCertificates(double count, const scene::CostEstimate& cost) {
   StudyWork work;
-  // The first one starts from nothing.
-  work.stages =
-      (1.0 + std::max(0.0, count - 1.0) * (cost.isAffine ? affineAlone : alone)) / std::max(1.0, count) * cost.stages;
+  // The first one starts from nothing. Least squares grow with the square of the stages.
+  const double others = std::max(0.0, count - 1.0), more = cost.isAffine ? affineAlone : alone;
+  work.stages = (1.0 + others * more) / std::max(1.0, count) * cost.stages;
+  work.corrections = 1.0 + others * more * more;
   work.stageSeconds = cost.stages > 0.0 ? cost.stagesSeconds() / cost.stages : 0.0;
   work.certified = work.loads = count;
   work.evaluations = work.looks = scene::CostEstimate::evaluations * count;
@@ -110,6 +112,7 @@ StudyWork workOfMarches(const Study& study, double count, const scene::CostEstim
     work.stageSeconds += cost.steps * cost.exactSolves.seconds(1.0) - cost.readSeconds;
   const double fromNeighbours = givenUp * (count - calibrations);
   work.certified = std::min(count, calibration / alone * calibrations + fromNeighbours);
+  work.corrections = work.certified;
   work.evaluations = evaluationsOfResult * count + (evaluationsOfCalibration - evaluationsOfResult) * calibrations +
                      scene::CostEstimate::evaluations * fromNeighbours;
   // Of more load steps than are looked at together none is still there when it is asked for again.
@@ -172,8 +175,9 @@ StudyCost estimateStudy(const Study& study, const scene::CostEstimate& cost, int
   once += std::max(0.0, static_cast<double>(MeshErrorSample::mostOf(static_cast<std::size_t>(configurations))) - 1.0) *
           cost.meshErrorSeconds;
   result.seconds =
-      once + (groups - 1.0) * cost.factorSeconds + work.certified * (cost.staticsSeconds + cost.correctionSeconds) +
-      work.looks * cost.lookSeconds + work.evaluations * cost.evaluationSeconds() +
+      once + (groups - 1.0) * cost.factorSeconds + work.certified * cost.staticsSeconds +
+      work.corrections * cost.correctionSeconds + work.looks * cost.lookSeconds +
+      work.evaluations * cost.evaluationSeconds() +
       (changeLoads(study) ? work.loads * cost.loadSeconds + (work.loads - result.solves) * work.stageSeconds : 0.0) +
       result.solves * (configurationSeconds + work.stages * work.stageSeconds) +
       cost.responses * (curveSeconds + result.solves * (recordSeconds + numberSeconds * cost.steps));
