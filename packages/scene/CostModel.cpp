@@ -79,11 +79,11 @@ constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigrid
 // linear stages of a certificate at 1e-3, where contacts have tangents of their own at every load step and where all
 // laws are affine; how they grow with the parameters, which share them; and how many of earlier load steps are kept.
 // States that are kept for each of them, and for each parameter and load step; what solving for one takes over its
-// share of a linear stage; and seconds of what makes them orthogonal, per component of an interface side and pair of
-// directions.
+// share of a linear stage; seconds of what makes them orthogonal, per component of an interface side and pair of
+// directions; and of how many stages of a certificate there are directions at least.
 constexpr double directionsOfContact = 6.0, directionsOfAffine = 1.5, growthWithParameters = 0.6,
                  mostOfEarlierSteps = 60.0, statesOfDirection = 3.3, statesOfDerivative = 2.0, stagesOfDirection = 1.4,
-                 directionSeconds = 3e-9;
+                 directionSeconds = 3e-9, leastOfDirections = 6.0;
 // Columns of the macro problem for an interface of a body, in the plane and in space: its motions as a rigid body.
 constexpr double motionsOfInterface[] = {3.0, 6.0};
 // Linear stages at an accuracy of 1e-3, by which share of them they grow with every decade, since what slowly converges
@@ -135,9 +135,9 @@ Stages stagesOf(const CostScope& scope, const latin::LatinOptions& solver) {
       solver.stages.formulation == latin::Formulation::velocity
           ? std::min<double>(solver.maximumIterations, march * std::max(1.0, stagesOfVelocities * scope.steps))
           : march * std::min(1.0, std::pow(scope.steps / usualSteps, growthWithSteps));
-  stages.certificate = std::max(
-      1.0, further * pieces * std::max(leastStages, certificateOfJoints[scope.dimension - 2] * height * height));
-  stages.directions = directionsOfContact * stages.certificate / further;
+  const double certificate = certificateOfJoints[scope.dimension - 2] * height * height;
+  stages.certificate = std::max(1.0, further * pieces * std::max(leastStages, certificate));
+  stages.directions = directionsOfContact * pieces * std::max(leastOfDirections, certificate);
   if (scope.joints.sharedNodes > 0.0) stages.others = ways * marchesOfWay[scope.dimension - 2] * stages.march;
   return stages;
 }
