@@ -3,27 +3,14 @@
 #include <cstdint>
 #include <string>
 
+#include <harmos/scene/SolveSeconds.hpp>
+
 namespace harmos::scene {
 
 /// Entries and memory that are estimated are right within this factor.
 inline constexpr double uncertaintyOfCost = 1.5;
 /// Direct solvers number the entries of a factor by 32-bit integers.
 inline constexpr double mostEntriesOfFactor = 2147483647.0;
-
-/// Seconds of solves with some right-hand sides at once, which read a factor together: a single one reads it faster
-/// than several can be worked on.
-struct SolveSeconds {
-  double alone = 0.0, first = 0.0, further = 0.0;
-
-  /// Of so many columns, of which solvers are given 64 at once.
-  double seconds(double columns) const;
-  SolveSeconds operator+(const SolveSeconds& other) const {
-    return {alone + other.alone, first + other.first, further + other.further};
-  }
-  friend SolveSeconds operator*(double factor, const SolveSeconds& one) {
-    return {factor * one.alone, factor * one.first, factor * one.further};
-  }
-};
 
 /// What solving a problem will take, on all ranks together, from its sizes and measured rates; seconds are of CPU.
 struct CostEstimate {

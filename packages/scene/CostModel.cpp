@@ -49,13 +49,6 @@ constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds
                  sharedNodeSeconds[] = {1e-4, 5e-4}, fileSeconds = 1e-6, stepFileSeconds = 1.8e-7, ringSeconds = 5e-4,
                  loadSeconds = 4e-8, productSeconds = 1e-9, nodeSeconds = 6e-8, pairSeconds = 2.2e-8,
                  recoveredSeconds = 3e-7, recoverySeconds = 5.5e-6;
-// Of solves, per entry of a factor, through which they go twice: of whole bodies, where each of their unknowns takes a
-// time of its own besides; the same in single precision, also of a trace; of dense traces, per entry of their square.
-constexpr SolveSeconds ofWhole{7.5e-10, 1.4e-9, 1.05e-10}, ofSingle{2.9e-10, 1e-9, 5.5e-11},
-    ofDense{3.8e-10, 9e-10, 5.5e-11};
-constexpr SolveSeconds ofUnknown{8e-8, 8e-8, 0.0};
-// The same of inverted traces, per entry of a triangle.
-constexpr SolveSeconds ofInverse{2.2e-10, 0.0, 2.2e-10};
 // Of the error of the mesh in a linear response, per unknown: seconds and bytes; linear stages of its adjoint field, at
 // one load step in double precision.
 constexpr double errorSeconds = 1.5e-7, errorBytes = 35.0, stagesOfAdjoint = 6.0;
@@ -174,10 +167,6 @@ std::vector<int> unknownsAt(const std::vector<assembly::Interface>& interfaces, 
 
 }  // namespace
 
-double SolveSeconds::seconds(double columns) const {
-  return std::min(columns * alone, std::ceil(columns / latin::stepsAtOnce) * first + columns * further);
-}
-
 double recoverySecondsOf(mesh::ElementType type) {
   if (mesh::dimensionOf(type) == 2) return recoveryInPlane;
   if (!mesh::isQuadratic(type)) return recoveryOfLinear;
@@ -265,10 +254,13 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
   const bool isInverted =
       body.factor.isTraceLast ? body.factor.isTraceInverted : isDense && options.inverts(rows, entriesOfBlock);
   const bool hasStencil = isDense && latin::isStencilWorthwhile(options, body.held, body.trace);
+  const auto addSolve = [&](SolveSums::Kind kind, double met) {
+    solves_.add(kind, met, body.unknowns, body.isFactored);
+  };
   if (body.isLoaded) {
     // Displacements that loads make by themselves are kept where columns are solved on the trace alone.
     sum_[loadFields] += (isDense ? 2.0 : 1.0) * body.unknowns;
-    addSolve(loadSolve, body, entries);
+    addSolve(SolveSums::loaded, entries);
     sum_[loadedUnknowns] += body.unknowns;
   }
   if (body.isMoved) {
@@ -310,39 +302,18 @@ void CostSums::add(const BodySize& body, const latin::LatinOptions& solver) {
     if (body.trace > 0.0) sum_[macroReads] += 2.0 * body.interfaces * entries;
   }
   const bool isHeld = body.held > 0.0 && !hasStencil;
-  if (isDense) {
-    if (isInverted) {
-      sum_[inverseReads] += square / 2.0;
-    } else {
-      addSolve(traceSolve, body, square);
-    }
-  }
-  addSolve(wholeSolve, body, entries);
-  addSolve(isDense ? denseSolve : sparseSolve, body, entries);
-  if (isDense && (body.isLoaded || isHeld)) addSolve(lookSolve, body, entries);
-  if (isHeld) addSolve(isDense ? heldSolve : heldSparseSolve, body, entries);
-}
-
-void CostSums::addSolve(Solve solve, const BodySize& body, double entries) {
-  solve_[solve].entries += entries;
-  if (body.isFactored) solve_[solve].read += entries;
-  solve_[solve].unknowns += body.unknowns;
-}
-
-SolveSeconds CostSums::secondsOf(const SolveSeconds& rate, Solve solve) const {
-  const SolveSize& size = solve_[solve];
-  return {size.entries * rate.alone, size.read * rate.first, size.entries * rate.further};
+  if (isDense) addSolve(isInverted ? SolveSums::inverses : SolveSums::traces, isInverted ? square / 2.0 : square);
+  addSolve(SolveSums::whole, entries);
+  addSolve(isDense ? SolveSums::dense : SolveSums::sparse, entries);
+  if (isDense && (body.isLoaded || isHeld)) addSolve(SolveSums::looked, entries);
+  if (isHeld) addSolve(isDense ? SolveSums::held : SolveSums::heldSparse, entries);
 }
 
 void CostSums::reduce(const Teuchos::Comm<int>& comm) {
   std::array<double, sums> all{};
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(sums), sum_.data(), all.data());
   sum_ = all;
-  std::vector<double> mine, ofSolves(3 * solves, 0.0);
-  for (const SolveSize& size : solve_) mine.insert(mine.end(), {size.entries, size.read, size.unknowns});
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), ofSolves.data());
-  for (std::size_t s = 0; s < solve_.size(); ++s)
-    solve_[s] = {ofSolves[3 * s], ofSolves[3 * s + 1], ofSolves[3 * s + 2]};
+  solves_.reduce(comm);
 }
 
 CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOptions& solver) const {
@@ -362,9 +333,7 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.matrixBytes = matrixEntryBytes * (sum_[matrixEntries] + sum_[iteratedMatrix]);
   const bool isPlain = !solver.stages.solver.hasSupernodes();
   const double slowness = isPlain ? plainSlowness : 1.0;
-  const auto ofParts = [&](Solve solve) {
-    return slowness * (secondsOf(ofWhole, solve) + solve_[solve].unknowns * ofUnknown);
-  };
+  const auto ofBodies = [&](SolveSums::Kind kind) { return slowness * solves_.ofBodies(kind); };
   const substructure::FactorSize macro = factorOf(motions * scope.sides / 2.0 + 1.0, scope.dimension);
   cost.factorBytes = (isPlain ? plainEntryBytes : entryBytes) * sum_[factorEntries];
   cost.singleBytes = mayBeSingle ? singleEntryBytes * iterated : 0.0;
@@ -391,29 +360,29 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   const double rings = std::max(0.0, scope.sides / 2.0 - scope.bodies);
   cost.factorSeconds = slowness * (operationSeconds * sum_[operations] + factorEntrySeconds * sum_[factorEntries] +
                                    macroReadSeconds * motions * sum_[macroReads]) +
-                       ofParts(loadSolve).seconds(steps) + operationSeconds * macro.operations + ringSeconds * rings +
-                       steps * loadSeconds * sum_[loadedUnknowns] + factoredEntrySeconds * sum_[factoredEntries] +
-                       factoredUnknownSeconds * sum_[factoredUnknowns] + multigridSeconds * sum_[storedIterated] +
+                       ofBodies(SolveSums::loaded).seconds(steps) + operationSeconds * macro.operations +
+                       ringSeconds * rings + steps * loadSeconds * sum_[loadedUnknowns] +
+                       factoredEntrySeconds * sum_[factoredEntries] + factoredUnknownSeconds * sum_[factoredUnknowns] +
+                       multigridSeconds * sum_[storedIterated] +
                        iterationSeconds * iterationsOfColumn * motions * sum_[macroIterated];
   cost.factorSeconds +=
       operationSeconds * sum_[inverseOperations] + latin::shareOfSolveAmongMany * readEntrySeconds * sum_[stencilReads];
-  cost.wholeSolves = ofParts(wholeSolve);
-  cost.lookSeconds = ofParts(scope.work.recovered > 0.0 ? denseSolve : lookSolve).seconds(steps);
+  cost.wholeSolves = ofBodies(SolveSums::whole);
+  cost.lookSeconds = ofBodies(scope.work.recovered > 0.0 ? SolveSums::dense : SolveSums::looked).seconds(steps);
   cost.staticsSeconds =
       scope.statics.seconds(steps) + sharedNodeSeconds[scope.dimension - 2] * scope.joints.sharedNodes * steps;
   // A march goes on with one load step at a time, in single precision as long as its residuals allow it.
-  const SolveSeconds ofTraces = secondsOf(ofDense, traceSolve) + sum_[inverseReads] * ofInverse;
-  cost.exactSolves = ofParts(sparseSolve) + ofTraces;
+  const SolveSeconds ofTraces = solves_.ofDenseTraces();
+  cost.exactSolves = ofBodies(SolveSums::sparse) + ofTraces;
   const double single =
       mayBeSingle && !scope.softens ? std::min(1.0, digitsOfSingle / std::log10(1.0 / solver.accuracy)) : 0.0;
   const SolveSeconds ofMarch =
-      single * (secondsOf(ofSingle, sparseSolve) + ofTraces) + (1.0 - single) * cost.exactSolves;
+      single * (solves_.ofTracesInSingle(SolveSums::sparse) + ofTraces) + (1.0 - single) * cost.exactSolves;
   cost.readSeconds = isStepwise ? steps * ofMarch.seconds(1.0) : ofMarch.seconds(steps);
   cost.columnSeconds = 2.0 * readEntrySeconds * macro.nonzeros + reactionSeconds * motions * sum_[reactions] +
                        interfaceSeconds * scope.interfaceUnknowns + bodySeconds * scope.bodies +
                        sideSeconds * scope.sides + iterationSeconds * iterationsOfColumn * sum_[readIterated];
-  const SolveSeconds look = ofParts(heldSolve) + single * (secondsOf(ofSingle, heldSparseSolve) +
-                                                           solve_[heldSparseSolve].unknowns * ofUnknown);
+  const SolveSeconds look = ofBodies(SolveSums::held) + single * solves_.ofBodiesInSingle(SolveSums::heldSparse);
   cost.stageSeconds = cost.readSeconds + steps * (cost.columnSeconds + looksOfMarch * look.seconds(1.0));
   cost.stages = stages.all();
   cost.otherStages = stages.others;

@@ -11,6 +11,7 @@
 #include <harmos/mesh/ElementType.hpp>
 #include <harmos/scene/CostEstimate.hpp>
 #include <harmos/scene/detail/JointGraph.hpp>
+#include <harmos/scene/detail/SolveSums.hpp>
 #include <harmos/scene/detail/StaticsCost.hpp>
 #include <harmos/substructure/BoundaryTerm.hpp>
 #include <harmos/substructure/NestedDissection.hpp>
@@ -95,28 +96,6 @@ class CostSums {
   CostEstimate estimate(const CostScope& scope, const latin::LatinOptions& solver) const;
 
  private:
-  /// Of whole bodies: all of them, those with sparse and with dense traces, those of which displacements or reactions
-  /// are looked at, those whose reactions are, with dense and with sparse traces, and loaded ones; of dense traces.
-  enum Solve {
-    wholeSolve,
-    sparseSolve,
-    denseSolve,
-    lookSolve,
-    heldSolve,
-    heldSparseSolve,
-    loadSolve,
-    traceSolve,
-    solves
-  };
-  struct SolveSize {
-    double entries = 0.0;   // of factors, which the columns of every body meet
-    double read = 0.0;      // of different factors among them, which those of equal bodies read together
-    double unknowns = 0.0;  // of the bodies
-  };
-
-  void addSolve(Solve solve, const BodySize& body, double entries);
-  SolveSeconds secondsOf(const SolveSeconds& rate, Solve solve) const;
-
   enum Sum {
     assembledEntries,
     matrixEntries,
@@ -127,7 +106,6 @@ class CostSums {
     operations,
     macroReads,
     reactions,
-    inverseReads,
     invertedEntries,
     iteratedMatrix,
     storedIterated,
@@ -148,7 +126,7 @@ class CostSums {
     sums
   };
   std::array<double, sums> sum_{};
-  std::array<SolveSize, solves> solve_{};
+  SolveSums solves_;
 };
 
 }  // namespace harmos::scene
