@@ -54,4 +54,13 @@ EquilibriumWatch::Finding EquilibriumWatch::look(FixedPoint& fixedPoint, const I
   return Finding::landing;
 }
 
+std::optional<Imbalance> EquilibriumWatch::lackAt(FixedPoint& fixedPoint, const base::Matrix& alpha) const {
+  base::Matrix image(alpha.numRows(), alpha.numCols());
+  const Iterate& iterate = fixedPoint.apply(alpha, image);
+  const Imbalance imbalance = largestImbalance(iterate, rigidBodies_);
+  if (imbalance.relative < leastLack * accuracy_ || (isSure_ && isSure_(imbalance.step))) return std::nullopt;
+  if (!followImbalance(imbalance, rigidBodies_, fixedPoint, iterate, alpha, image).isFree) return std::nullopt;
+  return imbalance;
+}
+
 }  // namespace harmos::latin

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <harmos/latin/FreeMotion.hpp>
@@ -27,6 +28,11 @@ class EquilibriumWatch {
   /// Collective; to be asked after every iteration, with image = T(alpha) and its iterate, which may be replaced by
   /// another one of the same alpha. After `landing`, alpha has been moved to where something stops the body.
   Finding look(FixedPoint& fixedPoint, const Iterate*& iterate, base::Matrix& alpha, base::Matrix& image);
+  /// Collective. What a body lacks for good at `alpha`, from which the joint slides on at one rate
+  /// (StepNewton::settle()), with whatever scale of the search direction: none where something resists the body, or
+  /// there surely is an equilibrium. Costs what followImbalance() does, and one linear stage; no iterate is valid
+  /// afterwards.
+  std::optional<Imbalance> lackAt(FixedPoint& fixedPoint, const base::Matrix& alpha) const;
   /// The last one looked at; there is none before the ninth iteration, nor right after a landing.
   const Imbalance& imbalance() const { return history_.back(); }
 

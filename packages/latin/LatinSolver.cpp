@@ -183,6 +183,7 @@ int LatinSolver::stageLimit() const {
 
 void LatinSolver::march(LatinResult& result, March::Guess guess) {
   stagesOfCertificates_ = 0;
+  slide_.reset();
   const auto hasFailed = [&] {
     return result.outcome == Outcome::iterationLimit && isSofter() && stages() < options_.maximumIterations;
   };
@@ -201,6 +202,11 @@ void LatinSolver::march(LatinResult& result, March::Guess guess) {
     // that this try is not given up.
     beginAnew(result, 1.0);
     tryToMarch(result, March::Guess::extrapolation, 0);
+  }
+  if (slide_ && result.outcome == Outcome::iterationLimit && result.reason.empty()) {
+    result.outcome = Outcome::noEquilibrium;
+    result.reason = slide_->reason;
+    result.solvedSteps = std::min(result.solvedSteps, slide_->step);
   }
   result.iterations = stages() - stagesOfCertificates_;
 }
@@ -241,6 +247,7 @@ double LatinSolver::firstTolerance() const {
 void LatinSolver::tryToMarch(LatinResult& result, March::Guess guess, int restarts) {
   March march(fixedPoint_, options_.memory, options_.accuracy, restarts);
   march.setNewton(*newton_);
+  march.setSlide(slide_);
   if (!assembly_.path) march.setLoadBalance(*balance_);  // loads that are found have no balance before
   int nextLook = stages() + stagesBetweenLooks;
   const auto lacksDigits = [&] {

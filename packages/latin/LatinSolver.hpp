@@ -116,6 +116,7 @@ class LatinSolver {
   std::vector<std::function<void(const IterationReport&)>> observers_;
   std::optional<StepNewton> newton_;        // of this run
   std::optional<LoadBalance> balance_;      // of the laws and loads of this solve()
+  std::optional<March::Slide> slide_;       // of a load step that no try has solved
   std::optional<Certificate> certificate_;  // of this run: keeps its directions from one attempt to the next
   std::function<bool()> interrupted_;
   base::Matrix alpha_;

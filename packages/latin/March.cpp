@@ -102,16 +102,28 @@ bool March::mayTryNewton() const {
   return newton_ != nullptr && newtonFailures_ < maximumNewtonFailures;
 }
 
-bool March::solveByNewton(const Iterate& iterate, base::Matrix& state, double target) {
+bool March::solveByNewton(const Iterate& iterate, base::Matrix& state, double target,
+                          std::optional<base::Matrix>& slid) {
   base::Matrix beta(state.numRows(), 1);  // a copy: the field goes with the next solve
   beta.assign(iterate.beta());
   bool isReached = newton_->solve(state, beta, target, mustStop_).isReached;
   if (!isReached && !fixedPoint_.assembly().softens()) {
     // Its steps may go to and fro between kinks that the way of small iterations goes along.
-    isReached = newton_->settle(state, beta, target, mustStop_).isReached;
+    StepNewton::Result result = newton_->settle(state, beta, target, mustStop_);
+    isReached = result.isReached;
+    if (result.slide) slid = std::move(result.slide);
   }
   newtonFailures_ = isReached ? 0 : newtonFailures_ + 1;
   return isReached;
+}
+
+void March::noteSlide(int step, const EquilibriumWatch& watch, const base::Matrix& slid) {
+  // What follows on a load step that is not solved says nothing.
+  if (!isNearEnough_ || fixedPoint_.assembly().path) return;
+  std::optional<Imbalance> lack = watch.lackAt(fixedPoint_, slid);
+  if (!lack) return;
+  lack->step = step;
+  *slide_ = Slide{step, describeLack(*lack, fixedPoint_.assembly(), balance_ != nullptr && balance_->hasForces(step))};
 }
 
 bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state,
@@ -193,6 +205,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
   int iteration = 0, sinceLanding = 0, landings = 0, sinceHalved = 0, newtonTries = 0;
   double halved = std::numeric_limits<double>::infinity();
   bool isListening = false, isReached = false;
+  std::optional<base::Matrix> slid;  // where Newton's method has led with this search direction
   const bool isPath = fixedPoint_.assembly().path.has_value();
   int softeningTries = 0;
   bool wasTried = false;
@@ -264,7 +277,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
     if (isStagnant && used == substructure::Precision::single) iterate = &fixedPoint_.apply(state, image);
     if (isStagnant && newtonTries < maximumNewtonTries && mayTryNewton()) {
       ++newtonTries;
-      if (solveByNewton(*iterate, state, newtonShare * tolerance * force)) {
+      if (solveByNewton(*iterate, state, newtonShare * tolerance * force, slid)) {
         acceleration.restart();
         watch = unused;
         stagnation = Stagnation();
@@ -282,6 +295,7 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
                               balance_ != nullptr && balance_->hasForces(step);
     if (isTooStiff || mayBeReached) {
       restart(*iterate, alpha, state);
+      slid.reset();
       watch = unused;
       stagnation = Stagnation();
       sinceLanding = 0;
@@ -334,7 +348,13 @@ March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, do
           "the Scale of the Search Direction be 0.1 or 0.01, as slender parts need it";
     }
   }
+  if (!isReached && slid && end != End::noEquilibrium && slide_ != nullptr && !*slide_) {
+    noteSlide(step, unused, *slid);
+    base::Matrix again(image);  // what comes after begins as if nobody had looked
+    iterate = &fixedPoint_.apply(state, again);
+  }
   isNearEnough_ = isNearEnough_ && isReached;
+  if (isReached && slide_ != nullptr && *slide_ && (*slide_)->step == step) slide_->reset();
   acceleration.pause();
   state.assign(image);
   tractions_.write(step, iterate->hattedTraction()[0]);

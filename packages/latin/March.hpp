@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/EquilibriumWatch.hpp>
@@ -31,6 +32,11 @@ class March {
     noEquilibrium,  ///< see reason()
     unreached,      ///< a load step with laws that soften could not be solved, see reason()
   };
+  /// A load step at which a joint slides on and on, and what it lacks, in words for the user.
+  struct Slide {
+    int step;
+    std::string reason;
+  };
   /// How the next load step starts.
   enum class Guess {
     extrapolation,  ///< from the two steps before it
@@ -58,6 +64,10 @@ class March {
   bool lacksDigits() const { return lacksDigits_; }
   /// What helps load steps that stagnate; must outlive it. Without it there is no such help.
   void setNewton(StepNewton& newton) { newton_ = &newton; }
+  /// Where the first load step that is not solved is seen to slide without end (StepNewton::Result::slide) and nothing
+  /// resists, that is noted in `slide`, unless there is a note; this is taken back when that load step is solved after
+  /// all. Must outlive it.
+  void setSlide(std::optional<Slide>& slide) { slide_ = &slide; }
   /// Asked on every rank after every iteration.
   void setStop(std::function<bool()> mustStop) { mustStop_ = std::move(mustStop); }
   /// Told on every rank after every load step: step, iterations that it took, fields of the last one.
@@ -83,8 +93,11 @@ class March {
  private:
   /// Whether there is Newton's method, and it has not failed too often.
   bool mayTryNewton() const;
-  /// Tries it for a state whose iterate is given, then StepNewton::settle(); false where both lead nowhere.
-  bool solveByNewton(const Iterate& iterate, base::Matrix& state, double target);
+  /// Tries it for a state whose iterate is given, then StepNewton::settle(); false where both lead nowhere, with what
+  /// that has slid to.
+  bool solveByNewton(const Iterate& iterate, base::Matrix& state, double target, std::optional<base::Matrix>& slid);
+  /// Looks whether nothing resists at what a load step has slid to.
+  void noteSlide(int step, const EquilibriumWatch& watch, const base::Matrix& slid);
   /// Tries Newton's method for a whole load step, then for it in parts, where laws soften, and where the joint snaps on
   /// that way, goes to where it comes to rest; false where nothing leads anywhere, which leaves in `state` the best
   /// place to go on from.
@@ -106,6 +119,7 @@ class March {
 
   FixedPoint& fixedPoint_;
   StepNewton* newton_ = nullptr;
+  std::optional<Slide>* slide_ = nullptr;
   int newtonFailures_ = 0;  // in a row, with this search direction
   double accuracy_;
   std::function<bool()> mustStop_;

@@ -262,7 +262,7 @@ StepNewton::Result StepNewton::settle(base::Matrix& state, const base::Matrix& b
   base::Matrix left(state.numRows(), 1);
   Result result;
   result.residual = evaluate();
-  double time = 1.0;
+  double time = 1.0, lastError = 0.0;
   const int most = isDamped_ ? mostTimeSteps : fewTimeSteps;
   for (int number = 0; number < most && !(result.residual <= enough(target)); ++number) {
     if (time < (isDamped_ ? noTime : leastTime) || (!isDamped_ && time > longestTime)) break;
@@ -283,10 +283,12 @@ StepNewton::Result StepNewton::settle(base::Matrix& state, const base::Matrix& b
       continue;
     }
     result.residual = reached;
+    lastError = error;
     time *= error > smallTimeError ? longerTime : muchLongerTime;
   }
   result.isReached = result.residual <= enough(target);
   if (result.isReached) state.assign(alpha_);
+  if (!result.isReached && !isDamped_ && time > longestTime && lastError <= smallTimeError) result.slide = alpha_;
   return result;
 }
 

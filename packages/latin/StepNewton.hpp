@@ -33,6 +33,8 @@ class StepNewton {
     bool isReached = false;              ///< |R| <= target
     double residual = 0.0;               ///< |R| at the end [force length, square root]
     double smallestSingularValue = 1.0;  ///< of I - J in the space
+    /// Of settle(): alpha, one column, at which the joint still goes on at one rate after the longest steps.
+    std::optional<base::Matrix> slide;
   };
 
   /// How far a step goes where laws soften.
@@ -77,8 +79,8 @@ class StepNewton {
   /// its beta: from where no solution is near to one that the joint comes to rest at, a stable one of the iteration
   /// alpha <- T(alpha). Each step solves (1 / tau + I - J) d = R, and is taken where the implicit Euler method for it,
   /// R(alpha + d) = d / tau, holds to half of |R|; tau is then doubled at least, otherwise a quarter. Where no law
-  /// softens, it gives up soon. `state` is as it was where that leads nowhere.
-  /// Source: pseudo-transient continuation, Kelley, Keyes (1998), doi:10.1137/S0036142996304796.
+  /// softens, it gives up soon, or where the joint slides without end, see Result::slide. `state` is as it was where
+  /// that leads nowhere. Source: pseudo-transient continuation, Kelley, Keyes (1998), doi:10.1137/S0036142996304796.
   Result settle(base::Matrix& state, const base::Matrix& beta, double target, const std::function<bool()>& mustStop);
 
  private:

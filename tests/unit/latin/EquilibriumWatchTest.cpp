@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <harmos/latin/EquilibriumWatch.hpp>
+#include <harmos/latin/StepNewton.hpp>
 
 #include "Chains.hpp"
 
@@ -86,6 +87,39 @@ TEST(EquilibriumWatch, IgnoresWhatIsFarBelowTheAccuracy) {
 // With so small a k the interfaces answer late, and a lack that persists means nothing.
 TEST(EquilibriumWatch, DoesNotTrustAVerySmallSearchDirection) {
   EXPECT_EQ(Watched(twoChains(contact(), traction(pull)), accuracy, 1e-3).foundAt, 0);
+}
+
+/// What is lacking where a load step has slid to in pseudo-time; none where it does not slide on.
+std::optional<Imbalance> lackOf(const assembly::Assembly& assembly, double scale, bool isSure = false) {
+  StageOptions options;
+  options.searchDirectionScale = scale;
+  base::Timers timers;
+  FixedPoint fixedPoint(assembly, options, self(), timers);
+  StepNewton newton(fixedPoint);
+  fixedPoint.select({0});
+  base::Matrix alpha(fixedPoint.layout().rows(), 1), image(alpha);
+  const base::Matrix beta(fixedPoint.apply(alpha, image).beta());
+  const StepNewton::Result result = newton.settle(alpha, beta, 1e-6, {});
+  if (!result.slide) return std::nullopt;
+  return EquilibriumWatch(accuracy, [isSure](int) { return isSure; }).lackAt(fixedPoint, *result.slide);
+}
+
+TEST(EquilibriumWatch, KnowsWhatSlidesOnWithEverySearchDirection) {
+  for (const double scale : {1e-4, 1e-2, 1.0, 1e2}) {
+    const std::optional<Imbalance> lack = lackOf(twoChains(contact(), traction(pull)), scale);
+    ASSERT_TRUE(lack) << scale;
+    EXPECT_EQ(lack->body, 1);
+    EXPECT_NEAR(lack->force[0], -pull, 1e-3 * pull) << scale;
+  }
+}
+
+TEST(EquilibriumWatch, LacksNothingWhereSomethingHolds) {
+  const Law spring = laws::makeLaw("Linear Elastic", {{"Normal Stiffness", 1e-6}, {"Tangential Stiffness", 1e-6}});
+  for (const double scale : {1e-2, 1.0, 1e2}) {
+    EXPECT_FALSE(lackOf(twoChains(spring, traction(pull)), scale)) << scale;
+    EXPECT_FALSE(lackOf(twoChains(contact(), traction(-pull), 1, 50.0), scale)) << scale;
+  }
+  EXPECT_FALSE(lackOf(twoChains(contact(), traction(pull)), 1.0, true));
 }
 
 }  // namespace

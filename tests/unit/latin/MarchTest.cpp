@@ -230,6 +230,33 @@ TEST(March, FindsTheStepThatNothingCarries) {
   EXPECT_EQ(march.reason().find("load step 3:"), std::string::npos) << march.reason();
 }
 
+// With so soft lines the watch is silent; in pseudo-time the cube is seen to slide on and on. What is solved is not
+// lost.
+TEST(March, NotesTheStepThatSlidesWithoutEnd) {
+  const auto dragged = [](double most) {
+    return twoCubes(friction(0.3),
+                    laws::makeLaw("Prescribed Traction", {{"X", 1.0}, {"Z", -2.0}}, {{"X", {0.0, most}}}), 2);
+  };
+  std::optional<March::Slide> slide;
+  for (const double most : {0.9, 0.4}) {
+    BoxAssembly cubes = dragged(most);
+    base::Timers timers;
+    StageOptions options;
+    options.searchDirectionScale = 1e-3;
+    FixedPoint fixedPoint(cubes.assembly(), options, self(), timers);
+    StepNewton newton(fixedPoint);
+    March march(fixedPoint, memory, accuracy, 0);
+    march.setNewton(newton);
+    march.setSlide(slide);
+    base::Matrix alpha(fixedPoint.layout().rows(), 2);
+    EXPECT_EQ(march.run(alpha, accuracy, March::Guess::extrapolation), March::End::reached);
+    ASSERT_EQ(slide.has_value(), most > 0.6);
+    if (!slide) continue;
+    EXPECT_EQ(slide->step, 1);
+    EXPECT_NE(slide->reason.find("part \"upper\", load step 2: unbalanced force"), std::string::npos) << slide->reason;
+  }
+}
+
 // Rigid statics knows it before the load step is iterated, and the steps before it are solved.
 TEST(March, StopsBeforeAStepThatCannotBeBalanced) {
   const std::vector<double> pull = {0.0, 0.2, 0.4, 0.601, 0.2};

@@ -112,15 +112,18 @@ TEST(StepNewton, ComesInPseudoTimeToWhatNewtonsMethodFinds) {
   // What many small steps have added up to is a little rougher than the image that an iteration finds anew.
   EXPECT_LE(other.solve(other.steps, 1e-9, true), 1e-8);
   EXPECT_TRUE(other.result.isReached);
+  EXPECT_FALSE(other.result.slide);
   for (int row = 0; row < one.rows(); ++row) EXPECT_NEAR(other.state[0][row], one.state[0][row], 1e-7);
 }
 
-// A cube that is pulled off flies for ever: soon no more is tried, and the state is as it was.
+// A cube that is pulled off flies for ever: soon no more is tried, the state is as it was, and it is seen to fly on.
 TEST(StepNewton, GivesUpInPseudoTimeWhereNothingHolds) {
   Cubes cubes(laws::makeLaw("Unilateral Contact"), laws::makeLaw("Pressure", {{"Pressure", -2.0}}), 1);
   EXPECT_GT(cubes.solve(1, 1e-7, true), 1e-3);
   EXPECT_FALSE(cubes.result.isReached);
   EXPECT_LE(cubes.solved, 60);
+  ASSERT_TRUE(cubes.result.slide);
+  EXPECT_GT(cubes.fixedPoint.metric().norm(*cubes.result.slide), 1e5);
   for (int row = 0; row < cubes.rows(); ++row) EXPECT_EQ(cubes.state[0][row], 0.0);
 }
 
