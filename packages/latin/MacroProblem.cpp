@@ -7,6 +7,7 @@
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_CommHelpers.hpp>
 
+#include <harmos/latin/detail/InterfacePatches.hpp>
 #include <harmos/latin/detail/MacroFactor.hpp>
 #include <harmos/latin/detail/RigidMotions.hpp>
 #include <harmos/latin/detail/SoftestMotion.hpp>
@@ -210,6 +211,7 @@ void MacroProblem::updateLoads(const assembly::Assembly& assembly, const BodyOpe
 }
 
 void MacroProblem::buildModes(const assembly::Assembly& assembly, const assembly::SearchDirection& searchDirection) {
+  const std::vector<std::vector<std::vector<int>>> patches = interfacePatches(assembly);
   for (std::size_t i = 0; i < assembly.interfaces.size(); ++i) {
     const assembly::Interface& interface = assembly.interfaces[i];
     firstMode_.push_back(unknowns_);
@@ -217,7 +219,19 @@ void MacroProblem::buildModes(const assembly::Assembly& assembly, const assembly
       modes_.emplace_back(interface.pairs() * layout_.dimension(), 0, false);
       continue;
     }
-    modes_.push_back(rigidMotions(interface, layout_.dimension(), searchDirection.of(static_cast<int>(i))));
+    const std::vector<double>& k = searchDirection.of(static_cast<int>(i));
+    std::vector<Matrix> motions;
+    int count = 0;
+    for (const std::vector<int>& pairs : patches[i]) {
+      motions.push_back(rigidMotions(interface, layout_.dimension(), k, pairs));
+      count += motions.back().numCols();
+    }
+    modes_.emplace_back(interface.pairs() * layout_.dimension(), count, false);
+    double* to = modes_.back().values();
+    for (const Matrix& some : motions) {
+      const auto size = static_cast<std::size_t>(some.numRows()) * static_cast<std::size_t>(some.numCols());
+      to = std::copy_n(some.values(), size, to);
+    }
     unknowns_ += modes_.back().numCols();
   }
 }

@@ -15,8 +15,9 @@ class MacroFactor;
 /// Coarse problem of the linear stage: force and moment resultants of every two-sided interface are in balance.
 ///
 /// The descent direction becomes f = alpha + k P c - k w, with P the rigid motions of the interface (3 in 2-D, 6 in
-/// 3-D, fewer when its nodes do not see them) and c the same on both sides, such that P^T h (f1 + f2) = 0. Eliminating
-/// the bodies, with X = S^-1 B^T h k P, gives one small constant sparse system
+/// 3-D, fewer when its nodes do not see them), or of a slender one those of its patches (interfacePatches()), and c the
+/// same on both sides, such that P^T h (f1 + f2) = 0. Eliminating the bodies, with X = S^-1 B^T h k P, gives one small
+/// constant sparse system
 ///   G c = -sum over bodies [(P - X)^T h alpha - X^T l],   G = sum over bodies [P^T h k P - (h k P)^T X],
 /// symmetric, and positive definite when the boundaries hold the assembly as a whole. Where eliminated boundaries hold
 /// a body at g, X lies in the free directions and X^T l becomes X^T l + (B^T h k P)^T g: see BodyOperators.

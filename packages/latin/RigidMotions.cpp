@@ -13,25 +13,26 @@ using base::Matrix;
 // Eigenvalue of a rigid motion over the largest one, below which an interface cannot feel the motion.
 constexpr double felt = 1e-10;
 
-/// Rigid motions of an interface about its centre, rotations scaled by its size, so that all columns are lengths alike.
-Matrix motionsAboutCentre(const assembly::Interface& interface, int dimension) {
-  const int pairs = interface.pairs();
+/// Rigid motions of some pairs of an interface about their centre, rotations scaled by their size, so that all columns
+/// are lengths alike.
+Matrix motionsAboutCentre(const assembly::Interface& interface, int dimension, const std::vector<int>& pairs) {
   base::Vector3 centre{};
   double total = 0.0;
-  for (int p = 0; p < pairs; ++p) {
+  for (const int p : pairs) {
     const auto i = static_cast<std::size_t>(p);
     for (std::size_t c = 0; c < 3; ++c) centre[c] += interface.area[i] * interface.position[i][c];
     total += interface.area[i];
   }
   for (double& c : centre) c /= total;
   double size = 0.0;
-  for (const base::Vector3& x : interface.position) {
+  for (const int p : pairs) {
+    const base::Vector3& x = interface.position[p];
     for (std::size_t c = 0; c < 3; ++c) size = std::max(size, std::abs(x[c] - centre[c]));
   }
   if (size == 0.0) size = 1.0;
 
-  Matrix motions(pairs * dimension, dimension == 3 ? 6 : 3);
-  for (int p = 0; p < pairs; ++p) {
+  Matrix motions(interface.pairs() * dimension, dimension == 3 ? 6 : 3);
+  for (const int p : pairs) {
     const base::Vector3& x = interface.position[p];
     const double r[3] = {(x[0] - centre[0]) / size, (x[1] - centre[1]) / size, (x[2] - centre[2]) / size};
     const int row = p * dimension;
@@ -59,8 +60,9 @@ Matrix weighted(const assembly::Interface& interface, int dimension, const std::
   return y;
 }
 
-Matrix rigidMotions(const assembly::Interface& interface, int dimension, const std::vector<double>& k) {
-  const Matrix motions = motionsAboutCentre(interface, dimension);
+Matrix rigidMotions(const assembly::Interface& interface, int dimension, const std::vector<double>& k,
+                    const std::vector<int>& pairs) {
+  const Matrix motions = motionsAboutCentre(interface, dimension, pairs);
   Matrix gram(motions.numCols(), motions.numCols());
   gram.multiply(Teuchos::TRANS, Teuchos::NO_TRANS, 1.0, motions, weighted(interface, dimension, k, motions), 0.0);
   const std::vector<double> values = symmetricEigen(gram);

@@ -118,6 +118,18 @@ TEST(LiftedBlock, HangsBesideAPartThatCarriesNothing) {
   EXPECT_LE(run.result().linearStages, 200);
 }
 
+// All laws are affine: the rib bends and twists a thousand times more softly than search directions are stiff. A macro
+// problem of the motions of the whole seam left it without a certificate after 1000 linear stages.
+TEST(RibbedBeam, IsJoinedByASlenderFace) {
+  SceneInput scene = SceneInput::fromFile("ribbed_beam.xml");
+  const SolvedRun run(scene);
+  ASSERT_TRUE(run.isCertified()) << run.result().reason;
+  EXPECT_LE(run.result().linearStages, 150);
+  const SolvedRun truth(scene.set("Solver/Accuracy=1e-6").set("Solver/Search Direction/Scale=0.1"));
+  ASSERT_TRUE(truth.isCertified()) << truth.result().reason;
+  expectRight(run, truth, 1e-3);
+}
+
 // All laws are affine, and a wedge of 6 degrees between two planes of symmetry is free along its height and its radius:
 // a column under a pressure.
 TEST(Sector, IsHeldByItsPlanesOfSymmetry) {

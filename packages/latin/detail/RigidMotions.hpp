@@ -12,8 +12,10 @@ namespace harmos::latin {
 base::Matrix weighted(const assembly::Interface& interface, int dimension, const std::vector<double>& k,
                       const base::Matrix& x);
 
-/// Columns P [length] that span the rigid motions that an interface can feel, with P^T k h P = 1: 3 in the plane, 6 in
-/// space, fewer where its points lie on a line or are one. k [stress/length] is given per pair.
-base::Matrix rigidMotions(const assembly::Interface& interface, int dimension, const std::vector<double>& k);
+/// Columns P [length] that span the rigid motions of `pairs` that an interface can feel, with P^T k h P = 1: 3 in the
+/// plane, 6 in space, fewer where the points lie on a line or are one; 0 at its other pairs. k [stress/length] is given
+/// for all of them. With a consistent mass h, `pairs` must be all.
+base::Matrix rigidMotions(const assembly::Interface& interface, int dimension, const std::vector<double>& k,
+                          const std::vector<int>& pairs);
 
 }  // namespace harmos::latin

@@ -60,6 +60,27 @@ TEST(MacroProblem, LeavesOutMotionsThatAnInterfaceCannotFeel) {
   EXPECT_EQ(unknowns([](const base::Vector3& x) { return x[0] == x[1]; }), 5);  // a diagonal
 }
 
+/// Unknowns of the macro problem of a bar of 1 x 1 on another one, joined along their length.
+int unknownsAlong(double length, int cells, const std::string& law, bool isConsistent = false) {
+  BoxAssembly bars(
+      {{"lower", {0, 0, 0}, {length, 1, 1}, {cells, 1, 1}}, {"upper", {0, 0, 1}, {length, 1, 2}, {cells, 1, 1}}});
+  bars.hold("end", "lower_xmin", laws::makeLaw("Prescribed Displacement", {{"X", 0.0}, {"Y", 0.0}, {"Z", 0.0}}),
+            isConsistent);
+  bars.join("seam", "lower_zmax", "upper_zmin", laws::makeLaw(law), isConsistent);
+  base::Timers timers;
+  return FixedPoint(bars.assembly(), {}, self(), timers).linearStage().macroUnknowns();
+}
+
+// Patches of 5 x 1; no more than sixteen, none of fewer than twelve pairs, and none where nothing bonds.
+TEST(MacroProblem, BalancesSlenderFacesPatchByPatch) {
+  EXPECT_EQ(unknownsAlong(15.0, 60, "Perfect"), 6);
+  EXPECT_EQ(unknownsAlong(40.0, 80, "Perfect"), 8 * 6);
+  EXPECT_EQ(unknownsAlong(40.0, 40, "Perfect"), 4 * 6);
+  EXPECT_EQ(unknownsAlong(600.0, 200, "Perfect"), 16 * 6);
+  EXPECT_EQ(unknownsAlong(40.0, 80, "Unilateral Contact"), 6);
+  EXPECT_EQ(unknownsAlong(40.0, 80, "Perfect", true), 6);
+}
+
 TEST(MacroProblem, HasThreeUnknownsInThePlane) {
   for (bool onePoint : {false, true}) {
     BoxAssembly boxes({{"lower", {0, 0}, {1, 1}, {2, 2}, mesh::ElementType::quad4},
