@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include <harmos/base/Numerals.hpp>
 #include <harmos/latin/Extrapolation.hpp>
-#include <harmos/latin/StepContinuation.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
 #include <harmos/latin/detail/ImageNoise.hpp>
-#include <harmos/latin/detail/ResultRemarks.hpp>
+#include <harmos/latin/detail/MarchStep.hpp>
 #include <harmos/latin/detail/SafeRelaxation.hpp>
-#include <harmos/latin/detail/Stagnation.hpp>
+#include <harmos/latin/detail/SofteningSteps.hpp>
 
 namespace harmos::latin {
 namespace {
@@ -44,8 +41,6 @@ constexpr double newtonShare = 0.5;
 // Of the residual: errors of single precision that change nothing. Nor may they be above what is gone for, or what the
 // acceleration remembers is too rough for the last iterations.
 constexpr double negligible = 1e-2;
-// Its steps for a whole load step where laws soften; then the load step is divided.
-constexpr int mostSofteningSteps = 15;
 // Of the accuracy: where a load step stagnates at smaller residuals, that is likelier round-off, of laws or of solves,
 // than k. No march goes to just this.
 constexpr double leastForRestart = 3e-4;
@@ -61,8 +56,9 @@ March::March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts)
                      AndersonAcceleration(fixedPoint.metric(), memory, fixedPoint.assembly().isAffine())),
       tractions_(fixedPoint.store(fixedPoint.layout().rows())),
       restarts_(fixedPoint.assembly().isAffine() ? 0 : restarts),
-      parts_(static_cast<std::size_t>(fixedPoint.assembly().steps()), 1),
-      snaps_(static_cast<std::size_t>(fixedPoint.assembly().steps()), false) {}
+      softening_(std::make_unique<SofteningSteps>(fixedPoint)) {}
+
+March::~March() = default;
 
 double March::forceSize(const Iterate& iterate, bool withReactions) const {
   const double norm = fixedPoint_.metric().norm(iterate.hattedTraction());
@@ -117,49 +113,16 @@ bool March::solveByNewton(const Iterate& iterate, base::Matrix& state, double ta
   return isReached;
 }
 
+std::string March::describe(int step, Imbalance lack) const {
+  lack.step = step;
+  return describeLack(lack, fixedPoint_.assembly(), balance_ != nullptr && balance_->hasForces(step));
+}
+
 void March::noteSlide(int step, const EquilibriumWatch& watch, const base::Matrix& slid) {
   // What follows on a load step that is not solved says nothing.
   if (!isNearEnough_ || fixedPoint_.assembly().path) return;
-  std::optional<Imbalance> lack = watch.lackAt(fixedPoint_, slid);
-  if (!lack) return;
-  lack->step = step;
-  *slide_ = Slide{step, describeLack(*lack, fixedPoint_.assembly(), balance_ != nullptr && balance_->hasForces(step))};
-}
-
-bool March::solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state,
-                           double target) {
-  const int rows = state.numRows();
-  base::Matrix beta(rows, 1), whole(rows, 1), before(rows, 1);
-  const double share = target / forceSize(iterate, false);
-  beta.assign(iterate.beta());  // a copy: the field goes with the next solve
-  whole.assign(state);
-  const base::Matrix none(rows, 1);
-  const auto length = StepNewton::StepLength::damped;
-  if (newton_->solveWith(none, whole, beta, target, mostSofteningSteps, length, mustStop_).isReached) {
-    state.assign(whole);
-    return true;
-  }
-  const bool isPath = fixedPoint_.assembly().path.has_value();
-  const double least = isPath ? share * largestForce_ : target;
-  // Parts add round-off to what they have come to already, and end where the joint has snapped.
-  const bool isKnown = snaps_[step] || (isPath && parts_[step] > 1);
-  if (!isKnown) {
-    if (step > 0) std::copy_n(alpha[step - 1], rows, before[0]);
-    StepContinuation::Way way{base::Matrix(rows, 1)};
-    if (isPath) way.times = growthAlong(fixedPoint_.assembly().path->values, step);
-    if (step > 1) std::copy_n(alpha[step - 2], rows, way.from[0]);
-    const StepContinuation::Result result =
-        StepContinuation(fixedPoint_, *newton_).solve(step, before, way, state, least, share, mustStop_);
-    share_ = result.share;
-    if (result.isReached) {
-      parts_[step] = std::max(parts_[step], result.parts);
-      return true;
-    }
-  }
-  fixedPoint_.solveLinear(state, beta);
-  if (!newton_->settle(state, beta, least, mustStop_).isReached) return false;
-  snaps_[step] = true;
-  return true;
+  const std::optional<Imbalance> lack = watch.lackAt(fixedPoint_, slid);
+  if (lack) *slide_ = Slide{step, describe(step, *lack)};
 }
 
 substructure::Precision March::precision() {
@@ -178,7 +141,7 @@ double March::residual(const base::Matrix& state, const base::Matrix& image) {
 }
 
 AndersonAcceleration& March::accelerationOf(int step) {
-  if (accelerations_.size() == parts_.size()) return accelerations_[step];
+  if (static_cast<int>(accelerations_.size()) == fixedPoint_.assembly().steps()) return accelerations_[step];
   accelerations_.front().restart();
   return accelerations_.front();
 }
@@ -193,173 +156,160 @@ void March::accelerate(AndersonAcceleration& acceleration, base::Matrix& state, 
   for (int row = 0; row < state.numRows(); ++row) state(row, 0) = felt_(row, 0) + image(row, 0) - feltImage_(row, 0);
 }
 
-March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
-  const StateMetric& metric = fixedPoint_.metric();
-  AndersonAcceleration& acceleration = accelerationOf(step);
-  const EquilibriumWatch unused(
-      accuracy_, [&](int) { return balance_ != nullptr && balance_->isSure(step); },
+EquilibriumWatch March::makeWatch(int step) const {
+  return EquilibriumWatch(
+      accuracy_, [this, step](int) { return balance_ != nullptr && balance_->isSure(step); },
       balance_ != nullptr ? balance_->rigidBodies() : std::vector<int>{});
-  EquilibriumWatch watch = unused;
-  Stagnation stagnation;
-  base::Matrix image(state.numRows(), 1);
-  int iteration = 0, sinceLanding = 0, landings = 0, sinceHalved = 0, newtonTries = 0;
-  double halved = std::numeric_limits<double>::infinity();
-  bool isListening = false, isReached = false;
-  std::optional<base::Matrix> slid;  // where Newton's method has led with this search direction
-  const bool isPath = fixedPoint_.assembly().path.has_value();
-  int softeningTries = 0;
-  bool wasTried = false;
-  double floor = 0.0;  // of residuals, where it was asked for
-  if (newton_ != nullptr && fixedPoint_.assembly().softens() && fixedPoint_.reference().isEmpty()) {
-    // Loads that are found are wild at first, and so is the size of the forces that says what is near enough.
-    softeningTries = isPath ? maximumNewtonTries : 1;
+}
+
+bool March::isReached(MarchStep& here, double tolerance) {
+  const double enough = tolerance * here.force;
+  const bool hasMoved = here.force * manyTimes < here.whole && here.force > nothing * here.whole;
+  if (here.residual <= std::max(enough, fixedPoint_.roundOff(here.whole))) {
+    // What is reached is the end of the digits, not the tolerance.
+    lacksDigits_ = lacksDigits_ || (leavesWithoutDigits_ && hasMoved && here.residual > enough);
+    return true;
   }
-  share_ = 1.0;
+  const double reach = withinReachOfRoundOff * fixedPoint_.linearStage().softness() * here.whole;
+  if (leavesWithoutDigits_ && hasMoved && enough < reach) {
+    here.sinceHalved = here.residual < 0.5 * here.halved ? 0 : here.sinceHalved + 1;
+    if (here.sinceHalved == 0) here.halved = here.residual;
+    if (here.residual <= motionIsKnown * here.whole ||
+        (here.sinceHalved >= iterationsToHalve && here.residual <= motionIsGuessed * here.whole)) {
+      lacksDigits_ = true;
+      return true;
+    }
+  }
+  return false;
+}
+
+March::End March::endWithout(int step, const Imbalance& lack) {
+  const bool softens = fixedPoint_.assembly().softens();
+  reason_ = describe(step, lack);
+  if (!softens && !fixedPoint_.assembly().path) return End::noEquilibrium;
+  // What was pushed on trial has broken joints that may have held.
+  reason_ += std::string("; ") + (softens ? "laws soften" : "loads are to be found") +
+             ", so that an equilibrium may have been missed";
+  return End::unreached;
+}
+
+March::End March::iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance) {
+  const bool softens = fixedPoint_.assembly().softens();
+  AndersonAcceleration& acceleration = accelerationOf(step);
+  MarchStep here(makeWatch(step));
+  base::Matrix image(state.numRows(), 1);
+  if (newton_ != nullptr && softens && fixedPoint_.reference().isEmpty()) {
+    // Loads that are found are wild at first, and so is the size of the forces that says what is near enough.
+    here.softeningTries = fixedPoint_.assembly().path ? maximumNewtonTries : 1;
+  }
+  softening_->begin();
   End end = End::reached;
   const Iterate* iterate = nullptr;
-  while (sinceLanding < maximumIterations && landings < maximumLandings) {
+  while (here.sinceLanding < maximumIterations && here.landings < maximumLandings) {
     // Where laws soften, small errors choose other ways; and imbalances that last must not be those of single
     // precision.
-    const bool mayBeSingle = !fixedPoint_.assembly().softens() && sinceLanding < iterationsBeforeListening;
+    const bool mayBeSingle = !softens && here.sinceLanding < iterationsBeforeListening;
     const substructure::Precision used = mayBeSingle ? precision() : substructure::Precision::exact;
     iterate = &fixedPoint_.apply(state, image, used);
     fixedPoint_.settleUnfelt(state, image);
-    ++iteration;
-    ++sinceLanding;
-    const double size = residual(state, image);
-    const double force = forceSize(*iterate, iteration % iterationsPerReaction == 0);
-    const double whole = metric.norm(image);
-    harmless_ = whole > 0.0 ? std::min(negligible * size, tolerance * force) / whole : 0.0;
-    const bool hasMoved = force * manyTimes < whole && force > nothing * whole;
-    if (size <= std::max(tolerance * force, fixedPoint_.roundOff(whole))) {
-      largestForce_ = force;
-      isReached = true;
-      // What is reached is the end of the digits, not the tolerance.
-      lacksDigits_ = lacksDigits_ || (leavesWithoutDigits_ && hasMoved && size > tolerance * force);
-      break;
-    }
-    if (leavesWithoutDigits_ && hasMoved &&
-        tolerance * force < withinReachOfRoundOff * fixedPoint_.linearStage().softness() * whole) {
-      sinceHalved = size < 0.5 * halved ? 0 : sinceHalved + 1;
-      if (sinceHalved == 0) halved = size;
-      if (size <= motionIsKnown * whole || (sinceHalved >= iterationsToHalve && size <= motionIsGuessed * whole)) {
-        largestForce_ = force;
-        lacksDigits_ = true;
-        isReached = true;
-        break;
-      }
-    }
+    ++here.iterations;
+    ++here.sinceLanding;
+    here.residual = residual(state, image);
+    here.force = forceSize(*iterate, here.iterations % iterationsPerReaction == 0);
+    here.whole = fixedPoint_.metric().norm(image);
+    const double enough = tolerance * here.force;
+    harmless_ = here.whole > 0.0 ? std::min(negligible * here.residual, enough) / here.whole : 0.0;
+    here.isReached = isReached(here, tolerance);
+    if (here.isReached) break;
     if (mustStop_ && mustStop_()) {
       end = End::stopped;
       break;
     }
-    if (floor == 0.0 && (wasTried || (fixedPoint_.assembly().softens() && iteration == iterationsBeforeListening))) {
+    if (here.floor == 0.0 && (here.wasTried || (softens && here.iterations == iterationsBeforeListening))) {
       // Newton's method has come to what its images say, or to what they cannot say.
-      floor = noiseOfImages(fixedPoint_, state);
+      here.floor = noiseOfImages(fixedPoint_, state);
       iterate = &fixedPoint_.apply(state, image);
     }
-    if (size <= floor) {
-      largestForce_ = force;
-      isReached = true;
-      break;
-    }
-    if (softeningTries > 0) {
-      --softeningTries;
-      wasTried = true;
-      if (solveSoftening(step, *iterate, alpha, state, newtonShare * tolerance * force)) {
+    here.isReached = here.residual <= here.floor;
+    if (here.isReached) break;
+    if (here.softeningTries > 0) {
+      --here.softeningTries;
+      here.wasTried = true;
+      const SofteningSteps::Goal goal{newtonShare * enough, forceSize(*iterate, false), largestForce_};
+      if (softening_->solve(step, *iterate, alpha, state, goal, *newton_, mustStop_)) {
         acceleration.restart();
         continue;
       }
-      softeningTries = 0;
+      here.softeningTries = 0;
       iterate = &fixedPoint_.apply(state, image);
     }
-    const bool isStagnant = !fixedPoint_.assembly().isAffine() && stagnation.isFound(size, tolerance * force);
+    const bool isStagnant = !fixedPoint_.assembly().isAffine() && here.stagnation.isFound(here.residual, enough);
     if (isStagnant && used == substructure::Precision::single) iterate = &fixedPoint_.apply(state, image);
-    if (isStagnant && newtonTries < maximumNewtonTries && mayTryNewton()) {
-      ++newtonTries;
-      if (solveByNewton(*iterate, state, newtonShare * tolerance * force, slid)) {
+    if (isStagnant && here.newtonTries < maximumNewtonTries && mayTryNewton()) {
+      ++here.newtonTries;
+      if (solveByNewton(*iterate, state, newtonShare * enough, here.slid)) {
         acceleration.restart();
-        watch = unused;
-        stagnation = Stagnation();
-        sinceLanding = 0;
-        isListening = false;
+        here.lookAgain();
         continue;
       }
       iterate = &fixedPoint_.apply(state, image);
     }
     const bool isTooStiff = isStagnant && restarts_ > 0 && tolerance > leastForRestart * accuracy_;
     const EquilibriumWatch::Finding finding =
-        isTooStiff ? EquilibriumWatch::Finding::nothing : watch.look(fixedPoint_, iterate, state, image);
+        isTooStiff ? EquilibriumWatch::Finding::nothing : here.watch.look(fixedPoint_, iterate, state, image);
     // Where forces exist, softer lines may build the pressures that these do not come to.
     const bool mayBeReached = finding == EquilibriumWatch::Finding::noEquilibrium && restarts_ > 0 &&
                               balance_ != nullptr && balance_->hasForces(step);
     if (isTooStiff || mayBeReached) {
       restart(*iterate, alpha, state);
-      slid.reset();
-      watch = unused;
-      stagnation = Stagnation();
-      sinceLanding = 0;
-      isListening = false;
+      here.slid.reset();
+      here.lookAgain();
       continue;
     }
     if (finding == EquilibriumWatch::Finding::landing) {
       acceleration.restart();
-      stagnation = Stagnation();
-      sinceLanding = 0;
-      ++landings;
-      isListening = false;
+      ++here.landings;
+      here.land();
       continue;
     }
     if (finding == EquilibriumWatch::Finding::noEquilibrium) {
-      Imbalance imbalance = watch.imbalance();
-      imbalance.step = step;
-      reason_ = describeLack(imbalance, fixedPoint_.assembly(), balance_ != nullptr && balance_->hasForces(step));
-      end = End::noEquilibrium;
-      if (fixedPoint_.assembly().softens() || isPath) {
-        // What was pushed on trial has broken joints that may have held.
-        reason_ += std::string("; ") + (fixedPoint_.assembly().softens() ? "laws soften" : "loads are to be found") +
-                   ", so that an equilibrium may have been missed";
-        end = End::unreached;
-      }
+      end = endWithout(step, here.watch.imbalance());
       break;
     }
-    if (sinceLanding == iterationsBeforeListening) isListening = largestImbalance(*iterate).relative > flying;
-    if (!isListening) {
+    if (here.sinceLanding == iterationsBeforeListening) {
+      here.isListening = largestImbalance(*iterate).relative > flying;
+    }
+    if (!here.isListening) {
       accelerate(acceleration, state, image);
       continue;
     }
     for (int row = 0; row < state.numRows(); ++row) state(row, 0) = relaxSafely(state(row, 0), image(row, 0));
   }
-  if (end == End::reached && !isReached && fixedPoint_.assembly().softens()) {
+  if (here.isReached) largestForce_ = here.force;
+  if (end == End::reached && !here.isReached && softens) {
     end = End::unreached;
-    reason_ = "load step " + std::to_string(step + 1) + ", time " + base::toText(fixedPoint_.assembly().times[step]) +
-              ", has no solution near that of the load step before" +
-              (share_ < 1.0 ? ": it could be followed through " + base::toText(std::round(1e3 * share_) / 10.0) +
-                                  " % of the load step, where the joint snaps"
-                            : "") +
-              "; the laws of " + namesOfSoftening(fixedPoint_.assembly()) + " soften";
-    if (!isPath) {
-      reason_ +=
-          ": let the size of the loads be found (Path Following), or refine the mesh along "
-          "the joint or lower its strength, as a crack needs that jumps from point to point";
-    } else {
-      reason_ +=
-          ": control what the loads open most, such as the mouth of a crack, go on in smaller load steps, or let "
-          "the Scale of the Search Direction be 0.1 or 0.01, as slender parts need it";
-    }
+    reason_ = softening_->describeUnsolved(step);
   }
-  if (!isReached && slid && end != End::noEquilibrium && slide_ != nullptr && !*slide_) {
-    noteSlide(step, unused, *slid);
+  if (!here.isReached && here.slid && end != End::noEquilibrium && slide_ != nullptr && !*slide_) {
+    noteSlide(step, here.unusedWatch, *here.slid);
     base::Matrix again(image);  // what comes after begins as if nobody had looked
     iterate = &fixedPoint_.apply(state, again);
   }
-  isNearEnough_ = isNearEnough_ && isReached;
-  if (isReached && slide_ != nullptr && *slide_ && (*slide_)->step == step) slide_->reset();
+  isNearEnough_ = isNearEnough_ && here.isReached;
+  if (here.isReached && slide_ != nullptr && *slide_ && (*slide_)->step == step) slide_->reset();
   acceleration.pause();
   state.assign(image);
   tractions_.write(step, iterate->hattedTraction()[0]);
-  if (observer_) observer_(step, iteration, *iterate);
+  if (observer_) observer_(step, here.iterations, *iterate);
   return end;
+}
+
+const std::vector<int>& March::parts() const {
+  return softening_->parts();
+}
+
+const std::vector<bool>& March::snaps() const {
+  return softening_->snaps();
 }
 
 March::End March::run(base::Matrix& alpha, double tolerance, Guess guess) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include <harmos/latin/AndersonAcceleration.hpp>
@@ -9,6 +10,9 @@
 #include <harmos/latin/StepNewton.hpp>
 
 namespace harmos::latin {
+
+struct MarchStep;
+class SofteningSteps;
 
 /// Iterates one load step after the other, each with the history that the one before has left.
 ///
@@ -19,10 +23,9 @@ namespace harmos::latin {
 /// is tried, by Newton's method and in pseudo-time. When both fail, the search direction k was too stiff for what the
 /// bodies do (sliding, hanging on soft springs): the march goes on with a tenth of it, at most `restarts` times, unless
 /// the tolerance is so small that round-off may be why. Neither where all laws are affine, for then the acceleration is
-/// a Krylov method. Where laws soften, Newton's method comes first, then the load step in parts (StepContinuation),
-/// then what it comes to rest at (StepNewton::settle()), and a step that cannot be solved ends the march: those after
-/// it would follow on nothing. Bodies are solved in single precision as long as its error is far below the residual.
-/// Displacement form only.
+/// a Krylov method. Where laws soften, Newton's method comes first (SofteningSteps), and a step that cannot be
+/// solved ends the march: those after it would follow on nothing. Bodies are solved in single precision as long as its
+/// error is far below the residual. Displacement form only.
 class March {
  public:
   /// How a march ended.
@@ -54,6 +57,9 @@ class March {
 
   /// `fixedPoint` must outlive it. `memory` of the acceleration; loads that are not carried are those above `accuracy`.
   March(FixedPoint& fixedPoint, int memory, double accuracy, int restarts);
+  ~March();
+  March(const March&) = delete;
+  March& operator=(const March&) = delete;
 
   /// Asked before every load step whether its loads can be balanced at all; must outlive it.
   void setLoadBalance(LoadBalance& balance) { balance_ = &balance; }
@@ -86,9 +92,9 @@ class March {
   /// What the laws cannot carry, after End::noEquilibrium, or what has not been reached, in words for the user.
   const std::string& reason() const { return reason_; }
   /// In how many parts each load step was solved at most, all runs together; 1: as a whole.
-  const std::vector<int>& parts() const { return parts_; }
+  const std::vector<int>& parts() const;
   /// Of each load step, whether its joint has snapped within it to where it comes to rest, in any run.
-  const std::vector<bool>& snaps() const { return snaps_; }
+  const std::vector<bool>& snaps() const;
 
  private:
   /// Whether there is Newton's method, and it has not failed too often.
@@ -98,10 +104,14 @@ class March {
   bool solveByNewton(const Iterate& iterate, base::Matrix& state, double target, std::optional<base::Matrix>& slid);
   /// Looks whether nothing resists at what a load step has slid to.
   void noteSlide(int step, const EquilibriumWatch& watch, const base::Matrix& slid);
-  /// Tries Newton's method for a whole load step, then for it in parts, where laws soften, and where the joint snaps on
-  /// that way, goes to where it comes to rest; false where nothing leads anywhere, which leaves in `state` the best
-  /// place to go on from.
-  bool solveSoftening(int step, const Iterate& iterate, const base::Matrix& alpha, base::Matrix& state, double target);
+  /// What watches over a load step that nothing is known of.
+  EquilibriumWatch makeWatch(int step) const;
+  /// Whether the residual is what the load step must come to, or forces are lost, see lacksDigits().
+  bool isReached(MarchStep& here, double tolerance);
+  /// What is lacking for good at a load step, in words for the user.
+  std::string describe(int step, Imbalance lack) const;
+  /// Ends a load step with that.
+  End endWithout(int step, const Imbalance& lack);
   End iterate(int step, base::Matrix& alpha, base::Matrix& state, double tolerance);
   /// |image - state| of what T feels of both, which is kept for accelerate().
   double residual(const base::Matrix& state, const base::Matrix& image);
@@ -134,10 +144,8 @@ class March {
   double largestForce_ = 0.0;
   int stepsReached_ = 0;
   bool isNearEnough_ = true;
-  std::vector<int> parts_;
-  std::vector<bool> snaps_;
+  std::unique_ptr<SofteningSteps> softening_;
   base::Matrix felt_, feltImage_;  // of a state and its image, see UnfeltStates
-  double share_ = 1.0;             // of the present load step, that could be solved in parts
   /// Error of T over the size of the state that would change nothing, from the last residual and what is gone for; 0:
   /// nothing is known of it.
   double harmless_ = 0.0;
