@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <utility>
 
 #include <Teuchos_CommHelpers.hpp>
 
-#include <harmos/assembly/SideTerm.hpp>
 #include <harmos/latin/AndersonAcceleration.hpp>
 #include <harmos/latin/CorrectionSpace.hpp>
 #include <harmos/latin/StencilWorth.hpp>
 #include <harmos/latin/StepsAtOnce.hpp>
+#include <harmos/scene/detail/ExpectedStages.hpp>
 
 namespace harmos::scene {
 namespace {
@@ -36,12 +34,11 @@ constexpr double programBytes = 60e6, matrixCopies = 4.4, paddedFactor = 1.3, re
 // per unknown. Of a linear stage and load step: per entry that a column reads, per component of an interface side for
 // all that is not a solve, per body and per interface side for the calls, however small these are, and per entry of
 // what the macro problem multiplies one column with. Of least squares, per component of an interface side, load step
-// and pair of directions of the certificate, or of differences of a march. Of
-// how tractions may be shared, per group of nodes and load step; of files, per unknown, and per unknown and load step.
-// Of what tractions can share around rings of interfaces, per ring; of loads, per loaded unknown and load step; of a
-// product with a stiffness, per entry and column. Of responses, per load step: for each node and for each pair that
-// they read, and for each node at which stress is recovered, there once more for every window of load steps that is
-// looked at together.
+// and pair of directions of the certificate, or of differences of a march. Of how tractions may be shared, per group of
+// nodes and load step; of files, per unknown, and per unknown and load step. Of what tractions can share around rings
+// of interfaces, per ring; of loads, per loaded unknown and load step; of a product with a stiffness, per entry and
+// column. Of responses, per load step: for each node and for each pair that they read, and for each node at which
+// stress is recovered, there once more for every window of load steps that is looked at together.
 constexpr double programSeconds = 0.08, assemblySeconds = 5e-8, operationSeconds = 4.5e-11, factorEntrySeconds = 1.5e-8,
                  macroReadSeconds = 1.5e-10, factoredEntrySeconds = 2.5e-8, factoredUnknownSeconds = 5.5e-6,
                  readEntrySeconds = 2.2e-10, interfaceSeconds = 3e-8, bodySeconds = 1e-6, sideSeconds = 7e-7,
@@ -68,101 +65,25 @@ constexpr double recoveredBytes = 300.0, writtenBytes = 60.0;
 // column; seconds per entry of the preconditioner and of an iteration; entries of a row of small elements.
 constexpr double iteratedEntryBytes = 35.0, iterationsOfColumn = 15.0, multigridSeconds = 1.6e-7,
                  iterationSeconds = 6e-9, entriesOfRow[] = {18.0, 75.0};
-// Of derivatives, which are solved for to 1e-9: directions that the first parameter adds at a load step, over the
-// linear stages of a certificate at 1e-3, where contacts have tangents of their own at every load step and where all
-// laws are affine; how they grow with the parameters, which share them; and how many of earlier load steps are kept.
-// States that are kept for each of them, and for each parameter and load step; what solving for one takes over its
-// share of a linear stage; seconds of what makes them orthogonal, per component of an interface side and pair of
-// directions; and of how many stages of a certificate there are directions at least.
-constexpr double directionsOfContact = 6.0, directionsOfAffine = 1.5, growthWithParameters = 0.6,
-                 mostOfEarlierSteps = 60.0, statesOfDirection = 3.3, statesOfDerivative = 2.0, stagesOfDirection = 1.4,
-                 directionSeconds = 3e-9, leastOfDirections = 6.0;
+// Of derivatives, which are solved for to 1e-9: how directions grow with the parameters, which share them, and how many
+// of earlier load steps are kept. States that are kept for each of them, and for each parameter and load step; what
+// solving for one takes over its share of a linear stage; and seconds of what makes them orthogonal, per component of
+// an interface side and pair of directions.
+constexpr double growthWithParameters = 0.6, mostOfEarlierSteps = 60.0, statesOfDirection = 3.3,
+                 statesOfDerivative = 2.0, stagesOfDirection = 1.4, directionSeconds = 3e-9;
 // Columns of the macro problem for an interface of a body, in the plane and in space: its motions as a rigid body.
 constexpr double motionsOfInterface[] = {3.0, 6.0};
-// Linear stages at an accuracy of 1e-3, by which share of them they grow with every decade, since what slowly converges
-// to 1e-3 slowly goes on, and how those of the march fall where there are more load steps than usual, which are shorter
-// then.
-constexpr double usualSteps = 11.0, growthWithSteps = -0.25, growthPerDecade = 0.2, usualAccuracy = 1e-3;
-// Where all laws are affine, for the root of the points along an interface, over which stiffnesses of long and of short
-// waves differ; of these, what the certificate takes; how they fall with the load steps, which go straight on. Where
-// nothing is left to iterate on.
-constexpr double affineMarch = 4.0, affineCertificate = 0.5, affineGrowth = -0.5, directStages = 4.0;
-// Where bodies press on each other, for every joint of JointGraph::height, and for its square in the plane and in
-// space: what slides at one joint passes forces on to the next, and every joint has directions of its own that the
-// certificate must know.
-constexpr double marchOfJoint = 5.0, certificateOfJoints[] = {2.0, 3.0}, leastStages = 9.0;
-// Of the stages: for every doubling of the pieces of a part.
-constexpr double growthWithPieces = 0.18;
-// Other solutions are looked for along two ways, to a residual two decades below; of the stages of the march, in the
-// plane, where bodies meet at points, and in space, where they do along lines.
-constexpr double ways = 2.0, marchesOfWay[] = {0.1, 2.0};
-
-// Where velocities are iterated on, a load step moves when those before it have come to rest: linear stages of a load
-// step, of those of the march.
-constexpr double stagesOfVelocities = 0.75;
 // Solvers without supernodes beside CHOLMOD and Tacho: bytes of an entry, of both triangles with their rows, and how
 // much longer factors and solves take.
 constexpr double plainEntryBytes = 24.0, plainSlowness = 18.0;
 
-/// Linear stages that a run is expected to take.
-struct Stages {
-  double march = directStages, certificate = 0.0, others = 0.0;
-  double directions = 0.0;  // of a derivative, at a load step
-  double all() const { return march + certificate + others; }
-};
-
-Stages stagesOf(const CostScope& scope, const latin::LatinOptions& solver) {
-  Stages stages;
-  const double height = scope.joints.height,
-               further = std::max(0.5, 1.0 + growthPerDecade * std::log10(usualAccuracy / solver.accuracy));
-  if (scope.isAffine) {
-    const double first = std::max(1.0, further * affineMarch * std::sqrt(scope.joints.points));
-    stages.march = std::max(1.0, first * std::pow(scope.steps, affineGrowth));
-    stages.certificate = affineCertificate * first;
-    stages.directions = directionsOfAffine * stages.certificate / further;
-    return stages;
-  }
-  const double pieces = 1.0 + growthWithPieces * std::log2(scope.pieces);
-  const double march = std::max(1.0, further * pieces * std::max(leastStages, marchOfJoint * height));
-  stages.march =
-      solver.stages.formulation == latin::Formulation::velocity
-          ? std::min<double>(solver.maximumIterations, march * std::max(1.0, stagesOfVelocities * scope.steps))
-          : march * std::min(1.0, std::pow(scope.steps / usualSteps, growthWithSteps));
-  const double certificate = certificateOfJoints[scope.dimension - 2] * height * height;
-  stages.certificate = std::max(1.0, further * pieces * std::max(leastStages, certificate));
-  stages.directions = directionsOfContact * pieces * std::max(leastOfDirections, certificate);
-  if (scope.joints.sharedNodes > 0.0) stages.others = ways * marchesOfWay[scope.dimension - 2] * stages.march;
-  return stages;
-}
-
 /// States of all load steps together that an iteration keeps.
-double storedStates(double steps, const Stages& stages, double memory) {
+double storedStates(double steps, const ExpectedStages& stages, double memory) {
   constexpr double most = latin::stepsAtOnce;
   const double remembered = steps > most ? 1.0 : steps;
   return differencesLeft * latin::AndersonAcceleration::statesPerDifference * std::min(stages.march, memory) *
              remembered +
          latin::CorrectionSpace::statesPerDirection * stages.certificate * std::min(steps, most) + fields * steps;
-}
-
-/// Unknowns of a body, ascending, that some interfaces touch.
-template <class IsOne>
-std::vector<int> unknownsAt(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension,
-                            const IsOne& isOne) {
-  std::set<int> nodes;
-  for (const assembly::Interface& interface : interfaces) {
-    if (!isOne(interface)) continue;
-    for (int side = 0; side < interface.sides(); ++side) {
-      if (interface.body(side) != static_cast<int>(body)) continue;
-      for (int p = 0; p < interface.pairs(); ++p) {
-        for (const auto& [node, weight] : interface.trace(side).row(p)) nodes.insert(node);
-      }
-    }
-  }
-  std::vector<int> unknowns;
-  for (const int node : nodes) {
-    for (int c = 0; c < dimension; ++c) unknowns.push_back(node * dimension + c);
-  }
-  return unknowns;
 }
 
 }  // namespace
@@ -182,53 +103,12 @@ substructure::FactorSize factorOf(double unknowns, int dimension) {
   return size;
 }
 
-bool isEliminated(const assembly::Interface& interface) {
-  return interface.sides() == 1 && interface.mass.empty() && interface.law->isAffine() &&
-         !interface.law->prescribesTraction();
-}
-
 double leastBytes(double entries) {
   return (matrixEntryBytes + iteratedEntryBytes) * entries;
 }
 
 double operatorEntries(double unknowns, int dimension) {
   return entriesOfRow[dimension - 2] * unknowns;
-}
-
-std::vector<int> traceOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension) {
-  return unknownsAt(interfaces, body, dimension, [](const assembly::Interface& interface) {
-    return !interface.law->prescribesTraction() && !isEliminated(interface);
-  });
-}
-
-std::vector<int> heldOf(const std::vector<assembly::Interface>& interfaces, std::size_t body, int dimension) {
-  return unknownsAt(interfaces, body, dimension, isEliminated);
-}
-
-substructure::BoundaryTerm boundaryOf(const std::vector<assembly::Interface>& interfaces, std::size_t body,
-                                      int dimension, std::size_t nodes) {
-  substructure::BoundaryTerm term;
-  term.dimension = dimension;
-  term.diagonal.assign(nodes * static_cast<std::size_t>(dimension), 0.0);
-  for (const assembly::Interface& interface : interfaces) {
-    if (interface.law->prescribesTraction() || isEliminated(interface)) continue;
-    const std::vector<double> k(static_cast<std::size_t>(interface.pairs()), 1.0);
-    for (int side = 0; side < interface.sides(); ++side) {
-      if (interface.body(side) == static_cast<int>(body)) assembly::addSideTerm(interface, side, k, {}, term);
-    }
-  }
-  for (const int row : heldOf(interfaces, body, dimension)) {
-    if (row % dimension == 0) term.free.push_back({row / dimension, {}});
-  }
-  return term;
-}
-
-std::vector<double> interfacesOf(const std::vector<assembly::Interface>& interfaces, std::size_t bodies) {
-  std::vector<double> counts(bodies, 0.0);
-  for (const assembly::Interface& interface : interfaces) {
-    for (int side = 0; side < interface.sides(); ++side) counts[interface.body(side)] += 1.0;
-  }
-  return counts;
 }
 
 void CostEstimate::addDerivatives(int parameters) {
@@ -325,7 +205,7 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.isAffine = scope.isAffine;
   const double motions = motionsOfInterface[scope.dimension - 2];
   const bool isDirect = sum_[looseEntries] == sum_[factorEntries] && sum_[macroIterated] == 0.0;
-  const Stages stages = isDirect ? Stages() : stagesOf(scope, solver);
+  const ExpectedStages stages = isDirect ? ExpectedStages() : expectedStages(scope, solver);
   const bool isStepwise = solver.algorithm == latin::Algorithm::accelerated &&
                           solver.stages.formulation == latin::Formulation::displacement;
   const bool mayBeSingle = isStepwise && solver.stages.solver.allowsSingle && solver.stages.solver.hasSupernodes();
@@ -402,7 +282,7 @@ CostEstimate CostSums::estimate(const CostScope& scope, const latin::LatinOption
   cost.correctionSeconds =
       steps * scope.interfaceUnknowns * correctionSeconds * stages.certificate * stages.certificate +
       cost.accelerationSeconds(stages.march, solver.memory) +
-      ways * cost.accelerationSeconds(stages.others / ways, solver.memory);
+      ExpectedStages::ways * cost.accelerationSeconds(stages.others / ExpectedStages::ways, solver.memory);
   const double adjoint =
       stagesOfAdjoint * (cost.exactSolves.seconds(1.0) + cost.columnSeconds) + cost.wholeSolves.seconds(1.0);
   cost.meshErrorSeconds = scope.recoverySeconds + scope.linearResponses * (errorSeconds * scope.unknowns + adjoint);

@@ -9,6 +9,7 @@
 #include <harmos/elasticity/Material.hpp>
 #include <harmos/mesh/Elements.hpp>
 #include <harmos/scene/detail/SharedOperators.hpp>
+#include <harmos/scene/detail/TouchedUnknowns.hpp>
 #include <harmos/substructure/MirrorPlanes.hpp>
 
 namespace harmos::scene {

@@ -21,6 +21,7 @@
 #include <harmos/scene/detail/CostModel.hpp>
 #include <harmos/scene/detail/MeasuredPart.hpp>
 #include <harmos/scene/detail/SharedOperators.hpp>
+#include <harmos/scene/detail/TouchedUnknowns.hpp>
 #include <harmos/substructure/FactorPrediction.hpp>
 
 namespace harmos::scene {

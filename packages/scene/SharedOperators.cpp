@@ -1,6 +1,6 @@
 #include <harmos/scene/detail/SharedOperators.hpp>
 
-#include <harmos/scene/detail/CostModel.hpp>
+#include <harmos/scene/detail/TouchedUnknowns.hpp>
 
 namespace harmos::scene {
 
